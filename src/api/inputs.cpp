@@ -26,6 +26,7 @@ namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
+using std::string_view_literals::operator""sv;
 
 /// Longest side of a vector drawing's texture, px.
 constexpr double vector_texture_side = 2048;
@@ -66,9 +67,23 @@ SceneInput with_layers(understanding::LayeredDrawing&& drawing, bool connect) {
   return loaded;
 }
 
+/// Finds the parts of a drawing that is one picture, as in a flat drawing.
+Result<SceneInput> load_picture_of(const InputFile& input, const understanding::PaintableSvg& svg,
+                                   bool connect, const RunContext& context) {
+  auto drawing = rasterize(svg, line_art_side);
+  if (!drawing) return drawing.error();
+  auto loaded = understand_flat(std::move(*drawing), input.name, connect, context);
+  if (!loaded) return loaded;
+  loaded->warnings.emplace_back(
+      "the drawing is a picture: its parts are found as in a flat drawing; relievo segment can "
+      "correct them");
+  return loaded;
+}
+
 Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunContext& context) {
   auto read = read_svg(text_of(input.bytes));
   if (!read) return read.error();
+  if (read->flat) return load_picture_of(input, read->paintable, connect, context);
   if (Status status = understanding::make_parts(*read); !status) return status.error();
   if (read->line_art)
     if (auto lines = load_line_art(input, read->paintable, connect, context))
@@ -248,6 +263,8 @@ InputKind sniff(ByteView bytes) {
   if (is_archive(bytes)) return InputKind::zip;
   if (is_psd(bytes)) return InputKind::psd;
   if (begins_with(text, "\x1f\x8b")) return InputKind::gzip;
+  for (const std::string_view start : {"\xff\xfe<\0"sv, "\xfe\xff\0<"sv, "<\0"sv, "\0<"sv})
+    if (begins_with(text, start)) return InputKind::svg;
   if (begins_with(text, "\xef\xbb\xbf")) text.remove_prefix(3);
   const size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return InputKind::unknown;
