@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/files/file_kind.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
@@ -14,12 +15,6 @@
 #include "understanding/marks/layered_drawing.h"
 
 namespace relievo {
-
-/// The kind of an input: a folder, or a file by its content.
-enum class InputKind { svg, json, image, psd, glb, zip, gzip, folder, unknown };
-
-/// Returns the kind of a file by its content.
-InputKind sniff(ByteView bytes);
 
 struct InputFile {
   std::string name;  ///< as given; "-" is standard input
