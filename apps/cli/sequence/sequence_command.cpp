@@ -230,6 +230,8 @@ Status animate(const SequenceArguments& sequence, Frames& frames, Animator& anim
       if (Status s = count_pixels(size, pixels); !s) return s;
     }
     if (frame.empty) {
+      if (!frames.sheet)
+        size = fitted_size(frame.canvas.width, frame.canvas.height, sequence.map_size);
       animator.add_blank(frame, size);
       continue;
     }
