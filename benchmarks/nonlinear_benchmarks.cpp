@@ -137,8 +137,9 @@ void descent(State& state, const std::string& name, int vertices, double lambda_
   if (!ours) return state.SkipWithError("not solved");
   const testing::NonlinearProgram program =
       testing::make_nonlinear_program(surface.mesh, scene_of(name), options, ours->inflation);
-  const relief::Ordering ordering =
-      *order_depth(surface.mesh, surface.inflation, scene_of(name), {});
+  relief::OrderingSystem system;
+  const relief::Ordering ordering = *order_depth(
+      {surface.mesh, surface.discretisation, scene_of(name)}, surface.inflation, {}, system);
   for (auto _ : state) {
     const double begin = processor_ms();
     VectorXd x =

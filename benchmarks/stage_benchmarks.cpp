@@ -95,8 +95,8 @@ void build(State& state, const std::string& name, int vertices) {
 void model(State& state, const std::string& name, int vertices) {
   const auto relief = relief::build_relief(scene_of(name), options_for(vertices));
   for (auto _ : state) {
-    const auto made = relief::assemble_model(relief->layers, relief->inflation, relief->ordering,
-                                             scene_of(name), {});
+    const auto made = relief::assemble_model(
+        {relief->layers, relief->inflation, relief->ordering, scene_of(name)}, {});
     benchmark::DoNotOptimize(encode_glb(*made, nullptr, 100));
   }
 }

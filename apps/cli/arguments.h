@@ -10,6 +10,7 @@
 #include "kernel/image/image_size.h"
 #include "relief/session/build_relief.h"
 #include "relievo/export.h"
+#include "relievo/render.h"
 #include "relievo/scene.h"
 #include "relievo/solid.h"
 #include "solid/check_print.h"
@@ -72,35 +73,17 @@ struct BuildArguments {
   bool print_report = false;  ///< on standard output
 };
 
-struct CheckArguments {
-  CommonArguments common;
-  std::string output;      ///< scene .json; empty: not wanted
-  std::string overlay;     ///< file; empty: not wanted
-  ReliefArguments relief;  ///< of which the options of solids are used
-};
-
 struct RenderArguments {
   CommonArguments common;
   ReliefArguments relief;
   std::string output;
-  std::string view = "three-quarter";  ///< front, three-quarter, side or sheet
-  std::optional<double> yaw;           ///< degrees; replaces that of the view
-  std::optional<double> pitch;         ///< degrees; replaces that of the view
-  std::vector<double> light;           ///< azimuth to the right and elevation, degrees; or empty
-  int size = 1200;                     ///< longest side, px
-  bool clay = false;                   ///< leave the drawing out
-  std::vector<double> window;          ///< middle x, y and width, canvas px; or empty
-};
-
-struct SegmentArguments {
-  CommonArguments common;
-  std::string labels;     ///< file; empty: found in the drawing, or those of the project
-  std::string scribbles;  ///< .png or .json
-  std::string figure;     ///< mask of the figure (.png); empty: found
-  int parts = 0;          ///< number of parts to propose; 0: as many as are found
-  std::string output;     ///< project .relievo, scene .json or layers .psd
-  std::string overlay;    ///< files; empty: not wanted
-  std::string report;
+  std::optional<View> view = View::three_quarter;  ///< nothing: all views on a sheet
+  std::optional<double> yaw;                       ///< degrees; replaces that of the view
+  std::optional<double> pitch;                     ///< degrees; replaces that of the view
+  std::vector<double> light;   ///< azimuth to the right and elevation, degrees; or empty
+  int size = 1200;             ///< longest side, px
+  bool clay = false;           ///< leave the drawing out
+  std::vector<double> window;  ///< middle x, y and width, canvas px; or empty
 };
 
 struct BatchArguments {
@@ -133,7 +116,7 @@ struct SequenceArguments {
 /// A command with its arguments. `run` returns the exit code.
 struct Command {
   CommonArguments common;
-  std::function<Result<int>(Interruption&)> run;
+  std::function<Result<int>(Interruption&)> run{};
 };
 
 /// A command, or an exit code if nothing is left to do: help, the version or a usage error has been

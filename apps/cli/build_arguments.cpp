@@ -1,10 +1,12 @@
 #include "apps/cli/build_arguments.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "apps/cli/build_command.h"
 #include "apps/cli/common_arguments.h"
+#include "apps/cli/outputs.h"
 #include "apps/cli/relief_arguments.h"
-#include "apps/cli/within.h"
 
 namespace relievo::cli {
 namespace {
@@ -24,13 +26,10 @@ void add_print_options(CLI::App& app, BuildArguments& build) {
   app.add_option("--filaments", build.filaments,
                  "Maximum number of colours that a .3mf is painted with (default 4)")
       ->check(CLI::Range(1, 16));
-  app.add_option_function<std::string>(
-         "--slicer",
-         [&build](const std::string& name) {
-           build.slicer = name == "bambu" ? Slicer::bambu : Slicer::prusa;
-         },
-         "Slicer that a .3mf is painted for: prusa (the default) or bambu; each reads only its own")
-      ->check(CLI::IsMember({"prusa", "bambu"}));
+  add_choice(
+      app, "--slicer", build.slicer,
+      "Slicer that a .3mf is painted for: prusa (the default) or bambu; each reads only its own",
+      {{"prusa", Slicer::prusa}, {"bambu", Slicer::bambu}});
 }
 
 void add_level_options(CLI::App& app, BuildArguments& build) {
@@ -47,10 +46,7 @@ void add_level_options(CLI::App& app, BuildArguments& build) {
 }
 
 void add_picture_options(CLI::App& app, BuildArguments& build) {
-  app.add_option_function<std::string>(
-         "--normal-y", [&build](const std::string& sign) { build.normal_y_down = sign == "-"; },
-         "Green of the normal map: + is up (OpenGL), - is down (DirectX)")
-      ->check(CLI::IsMember({"+", "-"}));
+  add_normal_y(app, build.normal_y_down);
   app.add_option("--map-size", build.map_size, "Longest side of the maps in px (default 2048)")
       ->check(CLI::Range(1, 16384));
   app.add_option("--px-per-mm", build.px_per_mm, "Resolution of the carve map (default 10)")
@@ -66,37 +62,20 @@ void add_outputs(CLI::App& app, BuildArguments& build) {
       ->check(extension({".glb", ".obj", ".ply", ".stl", ".3mf", ".usdz", ".html"}))
       ->expected(1)
       ->take_all();
-  const auto picture = extension({".png"});
-  app.add_option("--normal-map", build.normal_map, "Normal map (.png)")->check(picture);
-  app.add_option("--depth-map", build.depth_map, "Depth map, 16 bit, near is white (.png)")
-      ->check(picture);
-  app.add_option("--part-map", build.part_map, "Map of the part numbers, 16 bit (.png)")
-      ->check(picture);
-  app.add_option("--carve-map", build.carve_map,
-                 "Heights of a solid above the bed, 16 bit, for milling (.png)")
-      ->check(picture);
-  app.add_option(
-         "--occlusion-map", build.occlusion_map,
-         "Ambient occlusion: share of an even sky seen by each pixel, white is all of it (.png)")
-      ->check(picture);
-  app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
-  app.add_option("--overlay", build.overlay,
-                 "Picture of the drawing with its parts and joins marked (.png)")
-      ->check(picture);
-  app.add_option("--convergence", build.convergence,
-                 "For nonlinear: the surface after some of the steps, side by side (.png)")
-      ->check(picture);
-  app.add_option("--report", build.report,
-                 "Report with sizes, accuracy, timings and warnings (.json)")
-      ->check(extension({".json"}));
+  add_path(app, "--normal-map", build.normal_map, "Normal map (.png)");
+  add_path(app, "--depth-map", build.depth_map, "Depth map, 16 bit, near is white (.png)");
+  add_path(app, "--part-map", build.part_map, "Map of the part numbers, 16 bit (.png)");
+  add_path(app, "--carve-map", build.carve_map,
+           "Heights of a solid above the bed, 16 bit, for milling (.png)");
+  add_path(app, "--occlusion-map", build.occlusion_map,
+           "Ambient occlusion: share of an even sky seen by each pixel, white is all of it (.png)");
+  add_path(app, "--preview", build.preview, "Picture of the model (.png)");
+  add_path(app, "--overlay", build.overlay, overlay_help);
+  add_path(app, "--convergence", build.convergence,
+           "For nonlinear: the surface after some of the steps, side by side (.png)");
+  add_path(app, "--report", build.report,
+           "Report with sizes, accuracy, timings and warnings (.json)", {".json"});
   app.add_flag("--json", build.print_report, "Print the report on standard output");
-}
-
-bool wants_nothing(const BuildArguments& build) {
-  return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
-         build.part_map.empty() && build.occlusion_map.empty() && build.carve_map.empty() &&
-         build.preview.empty() && build.overlay.empty() && build.convergence.empty() &&
-         build.report.empty() && !build.print_report;
 }
 
 bool wants(const BuildArguments& build, const std::vector<std::string>& endings) {
@@ -106,26 +85,9 @@ bool wants(const BuildArguments& build, const std::vector<std::string>& endings)
   });
 }
 
-}  // namespace
-
-void add_build(CLI::App& main, BuildArguments& build) {
-  CLI::App& app = *main.add_subcommand("build", help);
-  add_common(app, build.common, input_help);
-  add_outputs(app, build);
-  add_build_choices(app, build);
-}
-
-void add_build_choices(CLI::App& app, BuildArguments& build) {
-  add_connect(app, build.common);
-  add_print_options(app, build);
-  add_level_options(app, build);
-  add_picture_options(app, build);
-  add_relief_options(app, build.relief);
-  add_visibility(app, build.relief);
-}
-
+/// Throws CLI::ValidationError if options contradict each other.
 void settle_build(const BuildArguments& build) {
-  if (wants_nothing(build))
+  if (planned_outputs(build).empty() && !build.print_report)
     throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
   if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
     throw CLI::ValidationError(
@@ -141,6 +103,33 @@ void settle_build(const BuildArguments& build) {
   if (!build.carve_map.empty() && !flat)
     throw CLI::ValidationError(
         "--carve-map needs --profile solid, since a mill carves from one side");
+}
+
+CLI::App& add_build(CLI::App& main, BuildArguments& build) {
+  CLI::App& app = *main.add_subcommand("build", help);
+  add_common(app, build.common, input_help);
+  add_outputs(app, build);
+  add_build_choices(app, build);
+  return app;
+}
+
+}  // namespace
+
+void add_build(CLI::App& main, Command& chosen) {
+  const auto build = std::make_shared<BuildArguments>();
+  add_build(main, *build).callback([build, &chosen] {
+    settle_build(*build);
+    chosen = command(build, run_build);
+  });
+}
+
+void add_build_choices(CLI::App& app, BuildArguments& build) {
+  add_connect(app, build.common);
+  add_print_options(app, build);
+  add_level_options(app, build);
+  add_picture_options(app, build);
+  add_relief_options(app, build.relief);
+  add_visibility(app, build.relief);
 }
 
 Result<BuildArguments> parse_build(const std::string& input,

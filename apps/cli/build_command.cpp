@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "apps/cli/cost.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
-#include "apps/cli/overlay_picture.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
@@ -29,7 +29,7 @@ namespace {
 
 /// The results of a build.
 struct Products {
-  std::vector<OutputFile> files;
+  Outputs outputs;
   std::optional<MadeModel> made;
   std::optional<Model> written;        ///< the level of detail written last, if not `made` itself
   std::vector<std::string> summaries;  ///< one for each model
@@ -46,22 +46,6 @@ std::vector<std::string> models_of(const BuildArguments& build, bool printed) {
       names.push_back(name);
   }
   return names;
-}
-
-Status add_preview(Products& products, const BuildArguments& build, const RunContext& context) {
-  if (build.preview.empty()) return Done{};
-  RenderArguments picture;
-  picture.size = build.preview_size;
-  const relief::DrawnModel& drawn = products.made->drawn;
-  return add_file(products.files, build.preview,
-                  draw_picture(drawn.model, drawn.drawing, picture, context));
-}
-
-Status add_carve_map(Products& products, const BuildArguments& build) {
-  if (build.carve_map.empty()) return Done{};
-  const double base = build.relief.solid_options.thickness;
-  return add_file(products.files, build.carve_map,
-                  encode_carve_map(products.made->drawn.model, build.px_per_mm, base));
 }
 
 const Model* written_model(const Products& products) {
@@ -126,7 +110,7 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
         auto files = export_model(written, drawing, file,
                                   {share * size, standing, build.filaments, build.slicer});
         if (!files) return files.error();
-        std::move(files->begin(), files->end(), std::back_inserter(products.files));
+        std::move(files->begin(), files->end(), std::back_inserter(products.outputs.files));
         products.summaries.push_back(
             summary(file, input.scene.parts.size(), written, share * size));
         if (context.cancelled()) return interrupted_error();
@@ -138,8 +122,16 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
   const std::vector<std::string> printed = models_of(build, true);
   if (!shown.empty() || !build.preview.empty() || !build.carve_map.empty()) {
     if (Status status = put(shown); !status) return status;
-    if (Status status = add_preview(products, build, context); !status) return status;
-    if (Status status = add_carve_map(products, build); !status) return status;
+    const relief::DrawnModel& drawn = products.made->drawn;
+    products.outputs.add(build.preview, [&] {
+      RenderArguments picture;
+      picture.size = build.preview_size;
+      return draw_picture(drawn.model, drawn.drawing, picture, context);
+    });
+    products.outputs.add(build.carve_map, [&] {
+      return encode_carve_map(drawn.model, build.px_per_mm, build.relief.solid_options.thickness);
+    });
+    if (!products.outputs.status) return products.outputs.status;
   }
   if (printed.empty()) return Done{};
   if (!arguments.visibility) arguments.visibility = Visibility::relief;
@@ -149,47 +141,35 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
 Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene,
                              const relief::Relief& relief, const RunContext& context) {
   const ImageSize size = fitted_size(scene.width, scene.height, build.map_size);
-  return relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene,
+  return relief::rasterize_relief({relief.layers, relief.inflation, relief.ordering, scene},
                                   size.width, size.height, context);
 }
 
-Status add_maps(Products& products, const BuildArguments& build, const Scene& scene,
+Status add_maps(Outputs& outputs, const BuildArguments& build, const Scene& scene,
                 const relief::Relief& relief, const RunContext& context) {
   if (build.normal_map.empty() && build.depth_map.empty() && build.part_map.empty() &&
       build.occlusion_map.empty())
     return Done{};
   const auto maps = make_maps(build, scene, relief, context);
   if (!maps) return maps.error();
-  const auto put = [&](const std::string& name, const auto& encode) -> Status {
-    return name.empty() ? Status(Done{}) : add_file(products.files, name, encode());
-  };
-  if (Status s =
-          put(build.normal_map, [&] { return encode_normal_map(*maps, build.normal_y_down); });
-      !s)
-    return s;
-  if (Status s = put(build.depth_map, [&] { return encode_depth_map(*maps); }); !s) return s;
-  if (Status s = put(build.part_map, [&] { return encode_part_map(*maps); }); !s) return s;
-  return put(build.occlusion_map, [&] {
+  outputs.add(build.normal_map, [&] { return encode_normal_map(*maps, build.normal_y_down); });
+  outputs.add(build.depth_map, [&] { return encode_depth_map(*maps); });
+  outputs.add(build.part_map, [&] { return encode_part_map(*maps); });
+  outputs.add(build.occlusion_map, [&] {
     const double pixel = scene.width / maps->height.width;
     return encode_png(share_image(relief::ambient_occlusion(*maps, pixel)));
   });
-}
-
-Status add_convergence(Products& products, const BuildArguments& build, const Scene& scene,
-                       const relief::Relief& relief, const RunContext& context) {
-  if (build.convergence.empty()) return Done{};
-  return add_file(products.files, build.convergence, draw_convergence(relief, scene, context));
+  return outputs.status;
 }
 
 void print_outcome(const BuildArguments& build, const SceneInput& input, const Products& products) {
-  const bool quiet = build.common.quiet;
-  print_warnings(products.warnings, quiet);
-  for (const std::string& line : input.understood) print_note(line, quiet);
-  for (const std::string& line : products.summaries) print_note(line, quiet);
+  print_warnings(products.warnings);
+  for (const std::string& line : input.understood) print_note(line);
+  for (const std::string& line : products.summaries) print_note(line);
   if (products.summaries.empty())
-    print_note(build.common.input + ": " + counted(input.scene.parts.size(), "part"), quiet);
+    print_note(build.common.input + ": " + counted(input.scene.parts.size(), "part"));
   if (build.print_report) return;
-  for (const OutputFile& file : products.files) print_result(file.path.string(), quiet);
+  for (const OutputFile& file : products.outputs.files) print_result(file.path.string());
 }
 
 /// Returns the options of the reconstruction. Hidden parts are placed only if a model shows them.
@@ -209,14 +189,11 @@ Result<Products> make_products(const BuildArguments& build, const InputFile& fil
   Products products;
   if (Status s = finish_drawing(file, input); !s) return s.error();
   if (Status s = add_models(products, build, input, relief, context); !s) return s.error();
-  if (Status s = add_maps(products, build, input.scene, relief, context); !s) return s.error();
-  if (Status s = add_convergence(products, build, input.scene, relief, context); !s)
-    return s.error();
-  if (build.overlay.empty()) return products;
-  if (Status s = add_file(products.files, build.overlay,
-                          draw_overlay(input.scene, {}, input.drawing.rgba));
-      !s)
-    return s.error();
+  Outputs& outputs = products.outputs;
+  if (Status s = add_maps(outputs, build, input.scene, relief, context); !s) return s.error();
+  outputs.add(build.convergence, [&] { return draw_convergence(relief, input.scene, context); });
+  outputs.add(build.overlay, [&] { return draw_overlay(input.scene, {}, input.drawing.rgba); });
+  if (!outputs.status) return outputs.status.error();
   return products;
 }
 
@@ -256,19 +233,18 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   const Stopwatch total;
   const auto outputs = planned_outputs(build);
   if (Status status = check_outputs(outputs, {build.common.input}); !status) return status;
-  if (Status status = check_cost(build.relief.options, build.common.quiet); !status) return status;
+  if (Status status = check_cost(build.relief.options); !status) return status;
   const auto file = read_input(build.common.input);
   if (!file) return file.error();
-  std::optional<Progress> progress(build.common.quiet);
-  RunContext context{interruption.flag()};
-  progress->watch(context);
+  std::optional<Progress> progress(std::in_place);
+  const RunContext context = progress->context(interruption.flag());
   auto input = start_scene(*file, build.common.connect, context);
   if (!input) return input.error();
   if (Status status = check_outputs(outputs, input->files); !status) return status;
   const double read_time = total.milliseconds();
 
   const auto relief = reconstruct(*input, relief_arguments(build), context);
-  print_warnings(input->warnings, build.common.quiet);
+  print_warnings(input->warnings);
   if (!relief) return relief.error();
   const Stopwatch exporting;
   auto products = make_products(build, *file, *input, *relief, context);
@@ -278,11 +254,11 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   const std::string report = finish_report(
       build, *input, *relief, *products,
       {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}});
-  if (!build.report.empty()) products->files.push_back({build.report, bytes_of(report)});
+  products->outputs.add(build.report, [&] { return bytes_of(report); });
   // No model is written if the report cannot be printed.
-  if (build.print_report) print_result(report, false);
+  if (build.print_report) std::fputs(report.c_str(), stdout);
   if (Status status = flush_results(); !status) return status;
-  if (Status status = save(products->files, input->files, interruption); !status) return status;
+  if (Status status = save(products->outputs, input->files, interruption); !status) return status;
   print_outcome(build, *input, *products);
   return Done{};
 }

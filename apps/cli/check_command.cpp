@@ -4,16 +4,18 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "apps/cli/common_arguments.h"
 #include "apps/cli/cue_argument.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
-#include "apps/cli/overlay_picture.h"
+#include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
-#include "apps/cli/scene_output.h"
+#include "apps/cli/relief_arguments.h"
 #include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/image/png.h"
@@ -27,6 +29,23 @@
 
 namespace relievo::cli {
 namespace {
+
+constexpr const char* check_help =
+    R"(Reads a drawing, lists its parts and joins, and reports mistakes. Writes only the files that you
+name: the scene, to be edited and built, and a picture of how the drawing was understood.
+
+Examples:
+  relievo check wolf.svg
+  relievo check wolf.svg --overlay understood.png
+  relievo check wolf.svg -o wolf.json
+  relievo check wolf.svg --profile figure --size 60)";
+
+struct CheckArguments {
+  CommonArguments common;
+  std::string output;      ///< scene .json; empty: not wanted
+  std::string overlay;     ///< file; empty: not wanted
+  ReliefArguments relief;  ///< of which the options of solids are used
+};
 
 /// Counts the characters of UTF-8 text, which are the bytes that do not continue one.
 size_t length(const std::string& text) {
@@ -168,22 +187,20 @@ std::string overlap_table(const Scene& scene, const relief::LayeredMesh& mesh) {
   return table.text();
 }
 
-void print_scene(const SceneInput& input, bool quiet) {
+void print_scene(const SceneInput& input) {
   const Scene& scene = input.scene;
   print_result("canvas " + number(scene.width) + " x " + number(scene.height) + " px, " +
-                   counted(scene.parts.size(), "part") +
-                   (input.proposed ? " found in the drawing" : "") + ", back to front",
-               quiet);
-  print_result("\n" + part_table(scene), quiet);
+               counted(scene.parts.size(), "part") +
+               (input.proposed ? " found in the drawing" : "") + ", back to front");
+  print_result("\n" + part_table(scene));
   for (const std::string& table : {annotation_table(input), cue_table(scene)})
-    if (!table.empty()) print_result("\n" + table, quiet);
-  print_warnings(warnings_about_cues(scene), quiet);
-  print_warnings(warnings_about_outlines(scene), quiet);
+    if (!table.empty()) print_result("\n" + table);
+  print_warnings(warnings_about_cues(scene));
+  print_warnings(warnings_about_outlines(scene));
 }
 
-/// Returns the scene file, and a copy of the drawing if needed.
-Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const InputFile& file,
-                                              const SceneInput& input) {
+/// Returns the picture of a scene and its file: the one that the scene was read with, or a new one.
+Result<SceneDrawing> drawing_of(const InputFile& file, const SceneInput& input) {
   const std::string& from = input.drawing_file;
   Result<Bytes> bytes = Bytes();
   if (from == "-")
@@ -193,7 +210,7 @@ Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const
   else if (!input.drawing.rgba.empty())
     bytes = encode_png(input.drawing.rgba);
   if (!bytes) return bytes.error();
-  return scene_files(check.output, input.scene, {from, std::move(*bytes)});
+  return SceneDrawing{from, std::move(*bytes)};
 }
 
 /// Lists what would go wrong in printing the solid or figure.
@@ -208,52 +225,40 @@ Status print_weak_spots(const CheckArguments& check, SceneInput& input, const Ru
   Table table({"to print", "part", "problem and remedy"});
   for (const PrintFinding& finding : print_findings(*made, arguments))
     table.add({name(finding.trouble), finding.part, describe(finding, arguments.nozzle, size)});
-  print_result(table.empty() ? "\nready to print\n" : "\n" + table.text(), check.common.quiet);
+  print_result(table.empty() ? "\nready to print\n" : "\n" + table.text());
   return Done{};
 }
 
 /// Writes the scene and the overlay, if they are wanted.
 Status write_outputs(const CheckArguments& check, const InputFile& file, const SceneInput& input,
                      const relief::LayeredMesh& mesh, Interruption& interruption) {
-  std::vector<OutputFile> files;
+  Outputs outputs;
   if (!check.output.empty()) {
-    auto scene = scene_outputs(check, file, input);
-    if (!scene) return scene.error();
-    files = std::move(*scene);
+    const auto drawing = drawing_of(file, input);
+    if (!drawing) return drawing.error();
+    add_scene(outputs, check.output, input.scene, *drawing);
   }
-  if (!check.overlay.empty()) {
+  outputs.add(check.overlay, [&] {
     const MeshLines lines = find_mesh_lines(mesh, relief::InflationOptions().alpha0);
-    if (Status s = add_file(files, check.overlay,
-                            draw_overlay(input.scene, {{}, lines}, input.drawing.rgba));
-        !s)
-      return s;
-  }
-  if (Status s = save(files, input.files, interruption); !s) return s;
-  for (const OutputFile& written : files) print_result(written.path.string(), check.common.quiet);
+    return draw_overlay(input.scene, {{}, lines}, input.drawing.rgba);
+  });
+  if (Status s = save(outputs, input.files, interruption); !s) return s;
+  for (const OutputFile& written : outputs.files) print_result(written.path.string());
   return Done{};
 }
 
-std::vector<std::filesystem::path> outputs_of(const CheckArguments& check) {
-  std::vector<std::filesystem::path> paths;
-  if (!check.output.empty()) paths.emplace_back(check.output);
-  if (!check.overlay.empty()) paths.emplace_back(check.overlay);
-  return paths;
-}
-
-}  // namespace
-
 Status run_check(const CheckArguments& check, Interruption& interruption) {
-  const bool quiet = check.common.quiet;
-  if (Status s = check_outputs(outputs_of(check), {check.common.input}); !s) return s;
+  const std::vector<std::filesystem::path> outputs = {check.output, check.overlay};
+  if (Status s = check_outputs(outputs, {check.common.input}); !s) return s;
   const auto file = read_input(check.common.input);
   if (!file) return file.error();
   auto input = load_scene(*file, check.common.connect, {interruption.flag(), {}});
   if (!input) return input.error();
-  if (Status s = check_outputs(outputs_of(check), input->files); !s) return s;
+  if (Status s = check_outputs(outputs, input->files); !s) return s;
   if (Status status = validate(input->scene); !status) return status;
-  print_warnings(input->warnings, quiet);
-  for (const std::string& line : input->understood) print_note(line, quiet);
-  print_scene(*input, quiet);
+  print_warnings(input->warnings);
+  for (const std::string& line : input->understood) print_note(line);
+  print_scene(*input);
   relief::LayerOptions options;
   options.vertex_budget = trial_vertices;
   // A guessed join that is too short for this coarse mesh is not a mistake of the drawing.
@@ -265,14 +270,32 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   });
   if (!mesh) return mesh.error();
   if (Status status = relief::check_fixed(*mesh, tried, {}); !status) return status;
-  print_warnings(mesh->warnings, quiet);
+  print_warnings(mesh->warnings);
   if (const std::string table = overlap_table(input->scene, *mesh); !table.empty())
-    print_result("\n" + table, quiet);
+    print_result("\n" + table);
   if (check.relief.solid)
     if (Status s = print_weak_spots(check, *input, {interruption.flag(), {}}); !s) return s;
   if (Status s = write_outputs(check, *file, *input, *mesh, interruption); !s) return s;
-  print_note(check.common.input + ": no mistakes found", quiet);
+  print_note(check.common.input + ": no mistakes found");
   return Done{};
+}
+
+}  // namespace
+
+void add_check(CLI::App& main, Command& chosen) {
+  const auto check = std::make_shared<CheckArguments>();
+  CLI::App& app = *main.add_subcommand("check", check_help);
+  add_common(app, check->common, input_help);
+  add_connect(app, check->common);
+  add_path(app, "-o,--output", check->output, "The scene, with everything that was guessed (.json)",
+           {".json"});
+  add_path(app, "--overlay", check->overlay,
+           "Picture of the drawing with its parts, joins, relations and soft ranges marked (.png)");
+  add_solid_options(app, check->relief);
+  app.add_option("--size", check->relief.solid_options.size,
+                 "Longest side of a solid or figure in mm (default 100)")
+      ->check(within(1.0, 10000.0));
+  app.callback([check, &chosen] { chosen = command(check, run_check); });
 }
 
 }  // namespace relievo::cli

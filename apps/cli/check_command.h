@@ -1,11 +1,12 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
+
 #include "apps/cli/arguments.h"
-#include "apps/cli/interruption.h"
-#include "relievo/result.h"
 
 namespace relievo::cli {
 
-Status run_check(const CheckArguments& check, Interruption& interruption);
+/// Adds the command `check`, which becomes `chosen` if the command line names it.
+void add_check(CLI::App& main, Command& chosen);
 
 }  // namespace relievo::cli

@@ -1,5 +1,7 @@
 #include "apps/cli/common_arguments.h"
 
+#include <cmath>
+
 namespace relievo::cli {
 
 void add_common(CLI::App& app, CommonArguments& common, const char* help) {
@@ -17,24 +19,44 @@ void add_run_options(CLI::App& app, CommonArguments& common) {
 }
 
 void add_connect(CLI::App& app, CommonArguments& common) {
-  app.add_option_function<std::string>(
-         "--connect", [&common](const std::string& how) { common.connect = how == "auto"; },
-         "Where a layered drawing does not say how its parts connect: auto guesses (the default), "
-         "none stacks them")
-      ->check(CLI::IsMember({"auto", "none"}));
+  add_choice(app, "--connect", common.connect,
+             "Where a layered drawing does not say how its parts connect: auto guesses (the "
+             "default), none stacks them",
+             {{"auto", true}, {"none", false}});
+}
+
+void add_normal_y(CLI::App& app, bool& normal_y_down) {
+  add_choice(app, "--normal-y", normal_y_down,
+             "Green of the normal map: + is up (OpenGL), - is down (DirectX)",
+             {{"+", false}, {"-", true}});
+}
+
+CLI::Option* add_path(CLI::App& app, const char* option, std::string& path, const char* help,
+                      const std::vector<std::string>& endings) {
+  return app.add_option(option, path, help)->check(extension(endings));
 }
 
 CLI::Validator extension(const std::vector<std::string>& allowed) {
   const auto check = [=](const std::string& name) -> std::string {
     std::string known;
     for (const std::string& end : allowed) {
-      const bool fits = name.size() > end.size() && name.substr(name.size() - end.size()) == end;
-      if (fits) return "";
+      if (name.size() > end.size() && name.ends_with(end)) return "";
       known += (known.empty() ? "" : ", ") + end;
     }
     return "\"" + name + "\" must end in " + known;
   };
   return {check, "", "extension"};
+}
+
+CLI::Validator within(double least, double most) {
+  const CLI::Range range(least, most);
+  const auto check = [=](std::string& value) -> std::string {
+    double number = 0;
+    if (CLI::detail::lexical_cast(value, number) && std::isnan(number))
+      return value + " is not a number";
+    return range(value);
+  };
+  return {check, range.get_description(), "range"};
 }
 
 }  // namespace relievo::cli

@@ -42,7 +42,7 @@ double free_mb() {
 
 double least_mb(double vertices) { return base_mb + vertex_mb * vertices; }
 
-Status check_cost(const relief::ReliefOptions& options, bool quiet) {
+Status check_cost(const relief::ReliefOptions& options) {
   if (options.layers.edge_length > 0) return Done{};
   const double vertices = options.layers.vertex_budget;
   // This process has mapped most of the base already.
@@ -58,8 +58,7 @@ Status check_cost(const relief::ReliefOptions& options, bool quiet) {
       vertices * vertex_seconds * (options.method == Method::nonlinear ? nonlinear_factor : 1);
   if (seconds > long_seconds)
     print_note("this takes about " + std::to_string(std::lround(seconds)) + " s and " +
-                   std::to_string(std::lround(needed)) + " MB; use fewer --vertices to be quicker",
-               quiet);
+               std::to_string(std::lround(needed)) + " MB; use fewer --vertices to be quicker");
   return Done{};
 }
 

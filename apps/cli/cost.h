@@ -12,8 +12,8 @@ double free_mb();
 /// Estimates the minimum memory of a build with the given number of vertices, MB.
 double least_mb(double vertices);
 
-/// Prints a note, unless `quiet`, if a build will take long. Fails with `limit` if there is
+/// Prints a note, if a build will take long. Fails with `limit` if there is
 /// certainly too little memory. Does not check meshes that are specified by their edge length.
-Status check_cost(const relief::ReliefOptions& options, bool quiet);
+Status check_cost(const relief::ReliefOptions& options);
 
 }  // namespace relievo::cli

@@ -5,29 +5,10 @@
 namespace relievo::cli {
 
 constexpr int exit_done = 0;
-constexpr int exit_usage = 2;
-constexpr int exit_limit = 5;
-constexpr int exit_interrupted = 130;
 
-/// Returns the exit code for a kind of failure.
-inline int exit_code(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::internal:
-      return 1;
-    case ErrorCode::usage:
-      return exit_usage;
-    case ErrorCode::bad_input:
-      return 3;
-    case ErrorCode::contradiction:
-      return 4;
-    case ErrorCode::limit:
-      return exit_limit;
-    case ErrorCode::file:
-      return 6;
-    case ErrorCode::interrupted:
-      return exit_interrupted;
-  }
-  return 1;
-}
+/// The exit codes of the kinds of failure, in the order of ErrorCode.
+constexpr int exit_codes[] = {1, 2, 3, 4, 5, 6, 130};
+
+constexpr int exit_code(ErrorCode code) { return exit_codes[static_cast<int>(code)]; }
 
 }  // namespace relievo::cli

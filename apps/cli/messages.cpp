@@ -9,6 +9,10 @@
 namespace relievo::cli {
 namespace {
 
+bool is_quiet = false;
+
+bool shows_progress() { return !is_quiet && isatty(STDERR_FILENO) != 0; }
+
 void print_line(std::string_view kind, const std::string& text) {
   const std::string line = std::string(program_prefix).append(kind) + printable(text) + "\n";
   std::fputs(line.c_str(), stderr);
@@ -25,17 +29,19 @@ std::string printable(const std::string& text) {
 
 void print_error(const Error& error) { print_line("", to_string(error)); }
 
-void print_warnings(const std::vector<std::string>& warnings, bool quiet) {
-  if (quiet) return;
+void set_quiet(bool quiet) { is_quiet = quiet; }
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  if (is_quiet) return;
   for (const std::string& warning : warnings) print_line(warning_prefix, warning);
 }
 
-void print_note(const std::string& text, bool quiet) {
-  if (!quiet) print_line("", text);
+void print_note(const std::string& text) {
+  if (!is_quiet) print_line("", text);
 }
 
-void print_result(const std::string& text, bool quiet) {
-  if (!quiet) std::printf("%s%s", text.c_str(), text.empty() || text.back() != '\n' ? "\n" : "");
+void print_result(const std::string& text) {
+  if (!is_quiet) std::printf("%s%s", text.c_str(), text.ends_with('\n') ? "" : "\n");
 }
 
 Status flush_results() {
@@ -43,26 +49,29 @@ Status flush_results() {
   return Error{ErrorCode::file, "cannot write to standard output", ""};
 }
 
-Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
-
-Progress::~Progress() {
-  if (shown_) std::fputs("\r\033[K", stderr);
+void show_progress(const std::string& line) {
+  if (shows_progress()) std::fprintf(stderr, "\r\033[K%s", line.c_str());
 }
 
-void Progress::watch(RunContext& context) {
-  if (!shown_) return;
+void clear_progress() { show_progress(""); }
+
+RunContext Progress::context(const std::atomic<bool>* cancel) {
+  RunContext context{cancel};
+  if (!shows_progress()) return context;
   context.progress = [this](const char* stage, double fraction) {
     const auto now = std::chrono::steady_clock::now();
     if (now - last_ < std::chrono::milliseconds(50)) return;
     last_ = now;
-    std::fprintf(stderr, "\r\033[K%s %3.0f %%%s", stage, 100 * fraction, measured_.c_str());
-    std::fflush(stderr);
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%s %3.0f %%", stage, 100 * fraction);
+    show_progress(text.data() + measured_);
   };
   context.measured = [this](const char* quantity, double value) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), ", %s %.6g", quantity, value);
     measured_ = text.data();
   };
+  return context;
 }
 
 }  // namespace relievo::cli

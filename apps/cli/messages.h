@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <string>
 #include <string_view>
@@ -20,30 +21,36 @@ constexpr std::string_view warning_prefix = "warning: ";
 /// Prints one line on stderr: "relievo: where: message".
 void print_error(const Error& error);
 
-/// Print lines on stderr, unless `quiet`.
-void print_warnings(const std::vector<std::string>& warnings, bool quiet);
-void print_note(const std::string& text, bool quiet);
+/// Sets whether errors alone are printed: --quiet.
+void set_quiet(bool quiet);
 
-/// Prints a line on standard output, unless `quiet`.
-void print_result(const std::string& text, bool quiet);
+/// Print lines on stderr, unless quiet.
+void print_warnings(const std::vector<std::string>& warnings);
+void print_note(const std::string& text);
+
+/// Prints a line on standard output, unless quiet.
+void print_result(const std::string& text);
 
 /// Flushes standard output. Errors: `file` if it cannot be written.
 Status flush_results();
 
-/// A progress line on stderr, rewritten in place and removed by the destructor. Shows nothing if
-/// `quiet` or if stderr is not a terminal.
+/// Show and remove a line on stderr that is rewritten in place, unless quiet or stderr is not a
+/// terminal.
+void show_progress(const std::string& line);
+void clear_progress();
+
+/// Shows the progress of work in such a line, until it is destroyed.
 class Progress {
  public:
-  explicit Progress(bool quiet);
+  Progress() = default;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  ~Progress();
+  ~Progress() { clear_progress(); }
 
-  /// Shows the progress reported to `context`, which must not outlive this object.
-  void watch(RunContext& context);
+  /// Returns a context that reports to this object, which must outlive it.
+  RunContext context(const std::atomic<bool>* cancel);
 
  private:
-  bool shown_;
   std::chrono::steady_clock::time_point last_;
   std::string measured_;
 };

@@ -2,14 +2,19 @@
 
 #include <set>
 
+#include "face/inputs.h"
+#include "io/files/paths.h"
+#include "io/image/gif.h"
+#include "io/image/heif.h"
+#include "io/image/png.h"
+#include "io/image/webp.h"
 #include "io/mesh/obj_encode.h"
+#include "io/scene/scene_json.h"
 
 namespace relievo::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Files = std::vector<OutputFile>;
 
 fs::path beside(const fs::path& path, const std::string& extension) {
   const std::string name = obj_file_name(path.stem().string()) + extension;
@@ -22,6 +27,28 @@ fs::path identity(const fs::path& path) {
   // A relative path to a file that does not exist yet would stay relative.
   const fs::path canonical = fs::weakly_canonical(fs::absolute(path, code), code);
   return code ? fs::absolute(path, code).lexically_normal() : canonical;
+}
+
+/// Returns the path of the drawing relative to the scene's folder; empty if it is not inside or has
+/// no file of its own.
+std::string path_from(const fs::path& scene, const std::string& drawing) {
+  if (drawing.empty() || drawing == "-") return "";
+  const auto inside = path_below(drawing, identity(scene).parent_path());
+  return inside ? inside->generic_string() : "";
+}
+
+/// Returns a path beside the scene for a copy of the drawing: a free name, or that of an identical
+/// file. An existing file may be someone's drawing, so it is never replaced.
+fs::path copy_of_drawing(const fs::path& scene, const Bytes& drawing) {
+  const std::string extension = "." + picture_kind(drawing);
+  for (int number = 1;; ++number) {
+    const std::string end = number > 1 ? "-" + std::to_string(number) : "";
+    const fs::path copy = scene.parent_path() / (scene.stem().string() + end + extension);
+    std::error_code code;
+    if (!fs::exists(copy, code)) return copy;
+    const auto there = read_file(copy);
+    if (there && *there == drawing) return copy;
+  }
 }
 
 }  // namespace
@@ -53,6 +80,7 @@ std::string level_name(const std::string& name, int level) {
 Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::path>& inputs) {
   std::set<fs::path> taken;
   for (const fs::path& path : paths) {
+    if (path.empty()) continue;
     std::error_code code;
     const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
     if (!fs::is_directory(folder, code))
@@ -76,16 +104,35 @@ Status make_folder(const fs::path& folder) {
   return Done{};
 }
 
-Status add_file(Files& files, const fs::path& path, Result<Bytes> content) {
-  if (!content) return content.error();
-  files.push_back({path, std::move(*content)});
-  return Done{};
+std::string picture_kind(ByteView bytes) {
+  if (is_png(bytes)) return "png";
+  if (is_gif(bytes)) return "gif";
+  if (is_webp(bytes)) return "webp";
+  if (is_heif(bytes)) return is_avif(bytes) ? "avif" : "heic";
+  return sniff(bytes) == InputKind::svg ? "svg" : "jpeg";
 }
 
-Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {
+void add_scene(Outputs& outputs, const std::string& output, Scene scene,
+               const SceneDrawing& drawing) {
+  scene.drawing = path_from(output, drawing.file);
+  if (scene.drawing.empty() && !drawing.bytes.empty()) {
+    const fs::path copy = copy_of_drawing(output, drawing.bytes);
+    scene.drawing = copy.filename().string();
+    outputs.add(copy, [&] { return drawing.bytes; });
+  }
+  outputs.add(output, [&]() -> Result<Bytes> {
+    const auto text = write_scene(scene);
+    if (!text) return text.error();
+    return bytes_of(*text);
+  });
+}
+
+Status save(const Outputs& outputs, const std::vector<fs::path>& inputs,
+            Interruption& interruption) {
+  if (!outputs.status) return outputs.status;
   const auto writing = interruption.hold_off();
   if (*interruption.flag()) return interrupted_error();
-  Status status = write_files(files, inputs);
+  Status status = write_files(outputs.files, inputs);
   if (status) interruption.finish();
   return status;
 }

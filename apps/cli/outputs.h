@@ -2,12 +2,15 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/interruption.h"
+#include "relievo/bytes.h"
 #include "relievo/files.h"
 #include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo::cli {
 
@@ -16,7 +19,7 @@ namespace relievo::cli {
 std::vector<std::filesystem::path> planned_outputs(const BuildArguments& build);
 
 /// Checks that `paths` are different files in existing folders, and that none is one of `inputs`.
-/// Errors: `usage`, `file`.
+/// Empty paths are outputs that are not wanted. Errors: `usage`, `file`.
 Status check_outputs(const std::vector<std::filesystem::path>& paths,
                      const std::vector<std::filesystem::path>& inputs);
 
@@ -26,12 +29,40 @@ std::string level_name(const std::string& name, int level);
 /// Makes a folder, and those above it. Errors: `file`.
 Status make_folder(const std::filesystem::path& folder);
 
-/// Adds a file with the given content. Errors: those of `content`.
-Status add_file(std::vector<OutputFile>& files, const std::filesystem::path& path,
-                Result<Bytes> content);
+/// The files that a command makes.
+struct Outputs {
+  std::vector<OutputFile> files;
+  Status status = Done{};  ///< the first error, after which no more files are made
 
-/// Writes all files, or none if the work has been stopped. Errors: as write_files, `interrupted`.
-Status save(const std::vector<OutputFile>& files, const std::vector<std::filesystem::path>& inputs,
+  /// Adds the file `name` with the bytes that `make` returns, if it has a name.
+  template <class Make>
+  void add(const std::filesystem::path& name, Make make) {
+    if (name.empty() || !status) return;
+    Result<Bytes> bytes = make();
+    if (bytes)
+      files.push_back({name, std::move(*bytes)});
+    else
+      status = bytes.error();
+  }
+};
+
+/// The drawing that a scene file refers to.
+struct SceneDrawing {
+  std::string file;  ///< its path; empty if it has no file of its own
+  Bytes bytes;       ///< empty if there is no drawing
+};
+
+/// Returns the file extension for the format of a picture, without the dot.
+std::string picture_kind(ByteView bytes);
+
+/// Adds the scene file and, if the drawing is not in its folder or below, a copy of the drawing
+/// beside it. The copy is numbered if its name is taken. Errors: as write_scene.
+void add_scene(Outputs& outputs, const std::string& output, Scene scene,
+               const SceneDrawing& drawing);
+
+/// Writes all files, or none if the work has been stopped. Errors: that of `outputs`; as
+/// write_files; `interrupted`.
+Status save(const Outputs& outputs, const std::vector<std::filesystem::path>& inputs,
             Interruption& interruption);
 
 }  // namespace relievo::cli

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/image/png.h"
+#include "io/svg/render_svg.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/image_size.h"
 #include "relief/surface/assemble_model.h"
@@ -15,11 +16,6 @@ namespace {
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 
-View named_view(const std::string& name) {
-  if (name == "front") return View::front;
-  return name == "side" ? View::side : View::three_quarter;
-}
-
 Point3 light_direction(double azimuth, double elevation) {
   const double a = radians_per_degree * azimuth;
   const double e = radians_per_degree * elevation;
@@ -27,7 +23,7 @@ Point3 light_direction(double azimuth, double elevation) {
 }
 
 RenderOptions options_of(const RenderArguments& arguments, const Model& model, bool has_drawing) {
-  RenderOptions options = seen_from(named_view(arguments.view), {});
+  RenderOptions options = seen_from(arguments.view.value_or(View::front), {});
   const ImageSize size = fitted_size(model.width, model.height, arguments.size);
   options.width = size.width;
   options.height = size.height;
@@ -61,9 +57,34 @@ Result<Image8> draw(const relief::Relief& relief, const relief::Inflation& infla
   ModelOptions options;
   options.visibility = Visibility::orbit;
   const auto model =
-      relief::assemble_model(relief.layers, inflation, ordering, scene, options, context);
+      relief::assemble_model({relief.layers, inflation, ordering, scene}, options, context);
   if (!model) return model.error();
   return render_model(*model, nullptr, cell_options(scene), context);
+}
+
+/// Minimum size of the picture, so that lines of small drawings stay distinct, px.
+constexpr double overlay_side = 1200;
+
+/// Enlarges the drawing and lays the overlay on it. The background is white, or grey for a drawing
+/// with white lines.
+Image8 composed(const Image8& drawing, const Image8& overlay) {
+  const int background = is_light_on_nothing(drawing) ? 96 : 255;
+  Image8 picture(overlay.width, overlay.height, 3);
+  for (int y = 0; y < overlay.height; ++y)
+    for (int x = 0; x < overlay.width; ++x) {
+      const int sx = std::min(drawing.width - 1, x * drawing.width / overlay.width);
+      const int sy = std::min(drawing.height - 1, y * drawing.height / overlay.height);
+      for (int c = 0; c < 3; ++c) {
+        const uint8_t seen = lay_over(drawing.at(sx, sy, c), background, drawing.at(sx, sy, 3));
+        picture.at(x, y, c) = lay_over(overlay.at(x, y, c), seen, overlay.at(x, y, 3));
+      }
+    }
+  return picture;
+}
+
+Image8 white_canvas(const Scene& scene) {
+  const ImageSize size = fitted_size(scene.width, scene.height, overlay_side);
+  return {size.width, size.height, 4, 255};
 }
 
 }  // namespace
@@ -72,9 +93,8 @@ Result<Bytes> draw_picture(const Model& model, const Drawing& drawing,
                            const RenderArguments& arguments, const RunContext& context) {
   const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
   const RenderOptions options = options_of(arguments, model, texture != nullptr);
-  const auto picture = arguments.view == "sheet"
-                           ? render_contact_sheet(model, texture, options, context)
-                           : render_model(model, texture, options, context);
+  const auto picture = arguments.view ? render_model(model, texture, options, context)
+                                      : render_contact_sheet(model, texture, options, context);
   if (!picture) return picture.error();
   return encode_png(*picture);
 }
@@ -104,6 +124,17 @@ Result<Bytes> draw_convergence(const relief::Relief& relief, const Scene& scene,
   for (size_t k = 0; k < pictures.size(); ++k)
     paste(strip, static_cast<int>(k) * width, 0, pictures[k]);
   return encode_png(strip);
+}
+
+Result<Bytes> draw_overlay(const Scene& scene, const OverlayMarks& marks, const Image8& drawing) {
+  if (drawing.pixels.empty()) return draw_overlay(scene, marks, white_canvas(scene));
+  const double scale =
+      std::max(1.0, std::round(overlay_side / std::max(drawing.width, drawing.height)));
+  const understanding::PaintableSvg lines{overlay_svg(scene, marks), scene.width, scene.height};
+  const auto overlay = render_svg(lines, static_cast<int>(drawing.width * scale),
+                                  static_cast<int>(drawing.height * scale));
+  if (!overlay) return overlay.error();
+  return encode_png(composed(drawing, overlay->rgba));
 }
 
 }  // namespace relievo::cli

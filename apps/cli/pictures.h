@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/cli/arguments.h"
+#include "io/overlay/overlay_svg.h"
 #include "relief/session/build_relief.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
@@ -24,5 +25,9 @@ std::vector<int> convergence_steps(int last);
 /// side at the same scale, as a PNG file.
 Result<Bytes> draw_convergence(const relief::Relief& relief, const Scene& scene,
                                const RunContext& context);
+
+/// Draws the parts and annotations of a scene over its drawing, as a PNG file. `drawing` is RGBA
+/// and covers the canvas; if it is empty, the background is white.
+Result<Bytes> draw_overlay(const Scene& scene, const OverlayMarks& marks, const Image8& drawing);
 
 }  // namespace relievo::cli

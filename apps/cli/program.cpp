@@ -12,6 +12,7 @@ namespace relievo::cli {
 namespace {
 
 int run(const Command& command) {
+  set_quiet(command.common.quiet);
   set_worker_count(command.common.threads);
   Interruption interruption(command.common.timeout);
   Result<int> code = command.run(interruption);
@@ -27,7 +28,7 @@ int run(const Command& command) {
 int give_up_for_memory() {
   print_error({ErrorCode::limit,
                "out of memory: try fewer --vertices, a smaller picture, or more memory", ""});
-  return exit_limit;
+  return exit_code(ErrorCode::limit);
 }
 
 }  // namespace

@@ -95,8 +95,8 @@ Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& inp
   }
   ModelOptions options;
   options.visibility = shown(arguments);
-  auto model = relief::assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
-                                      options, context);
+  auto model = relief::assemble_model(
+      {relief.layers, relief.inflation, relief.ordering, input.scene}, options, context);
   if (!model) return model.error();
   return MadeModel{relief::finish_model(std::move(*model), input.drawing), {}};
 }

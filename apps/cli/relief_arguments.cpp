@@ -1,33 +1,14 @@
 #include "apps/cli/relief_arguments.h"
 
-#include <array>
+#include <iterator>
 #include <string>
+#include <vector>
 
+#include "apps/cli/common_arguments.h"
 #include "apps/cli/cue_argument.h"
-#include "apps/cli/solid_arguments.h"
-#include "apps/cli/within.h"
 
 namespace relievo::cli {
 namespace {
-
-Visibility visibility(const std::string& name) {
-  if (name == "orbit") return Visibility::orbit;
-  return name == "all" ? Visibility::all : Visibility::relief;
-}
-
-Field field(const std::string& name) {
-  if (name == "inflation") return Field::inflation;
-  return name == "shift" ? Field::shift : Field::relief;
-}
-
-/// Adds an option that takes one of two words. The first one sets the flag, the second clears it.
-void add_choice(CLI::App& app, const char* option, const std::array<std::string, 2>& words,
-                bool& flag, const char* meaning) {
-  app.add_option_function<std::string>(
-         option, [&flag, first = words[0]](const std::string& word) { flag = word == first; },
-         meaning)
-      ->check(CLI::IsMember({words[0], words[1]}));
-}
 
 void add_cue_option(CLI::App& app, ReliefArguments& relief) {
   app.add_option_function<std::vector<std::string>>(
@@ -49,13 +30,10 @@ void add_cue_option(CLI::App& app, ReliefArguments& relief) {
 }
 
 void add_method_options(CLI::App& app, ReliefArguments& relief) {
-  app.add_option_function<std::string>(
-         "--method",
-         [&relief](const std::string& name) {
-           if (name == "nonlinear") relief.options.method = Method::nonlinear;
-         },
-         "approximate (the default), or nonlinear, which solves inflation and depth order together")
-      ->check(CLI::IsMember({"approximate", "nonlinear"}));
+  add_choice(
+      app, "--method", relief.options.method,
+      "approximate (the default), or nonlinear, which solves inflation and depth order together",
+      {{"approximate", Method::approximate}, {"nonlinear", Method::nonlinear}});
   relief::NonlinearOptions& nonlinear = relief.options.nonlinear;
   app.add_option(
          "--lambda-bnd", nonlinear.lambda_bnd,
@@ -64,10 +42,9 @@ void add_method_options(CLI::App& app, ReliefArguments& relief) {
   app.add_option("--lambda-shift", nonlinear.lambda_shift,
                  "For nonlinear: the cost of a shift relative to a change of inflation (default 1)")
       ->check(within(relief::min_lambda_shift, relief::max_lambda_shift));
-  app.add_option_function<std::string>(
-         "--field", [&relief](const std::string& name) { relief.field = field(name); },
-         "Height field: relief (the default), or one of its two terms, inflation or shift")
-      ->check(CLI::IsMember({"relief", "inflation", "shift"}));
+  add_choice(app, "--field", relief.field,
+             "Height field: relief (the default), or one of its two terms, inflation or shift",
+             {{"relief", Field::relief}, {"inflation", Field::inflation}, {"shift", Field::shift}});
 }
 
 void add_shape_options(CLI::App& app, ReliefArguments& relief) {
@@ -114,22 +91,25 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   add_method_options(app, relief);
   add_shape_options(app, relief);
   add_choice(
-      app, "--ramps", {"auto", "robin"}, relief.options.layers.attach,
+      app, "--ramps", relief.options.layers.attach,
       "Outlines beside joins: auto leaves the part below gradually (the default); robin uses "
-      "the condition of the paper");
+      "the condition of the paper",
+      {{"auto", true}, {"robin", false}});
   relief::OrderingOptions& ordering = relief.options.ordering;
-  add_choice(app, "--limbs", {"straight", "back"}, ordering.straight_limbs,
+  add_choice(app, "--limbs", ordering.straight_limbs,
              "Joined limbs: straight keeps them as far forward as their roots (the default); back "
-             "lets them fall back to the drawing plane, as in the paper");
+             "lets them fall back to the drawing plane, as in the paper",
+             {{"straight", true}, {"back", false}});
   add_choice(
-      app, "--caps", {"closed", "loose"}, ordering.close_caps,
+      app, "--caps", ordering.close_caps,
       "Hats and eyes: closed wraps them around the part that they lie on (the default); loose "
-      "leaves them as far forward as where they cross it, as in the paper");
-  auto* preset = app.add_option_function<std::string>(
-      "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },
+      "leaves them as far forward as where they cross it, as in the paper",
+      {{"closed", true}, {"loose", false}});
+  auto* preset = add_choice(
+      app, "--preset", relief.as_in_paper,
       "default uses the values of each part; paper uses those of the paper: c = 4 and d = 1 or -1 "
-      "for all, round and not tilted, ramps as robin, limbs back, caps loose");
-  preset->check(CLI::IsMember({"default", "paper"}));
+      "for all, round and not tilted, ramps as robin, limbs back, caps loose",
+      {{"default", false}, {"paper", true}});
   for (const char* value :
        {"--c", "--flat", "--lean", "--rho", "--alpha0", "--ramps", "--limbs", "--caps"})
     preset->excludes(app.get_option(value));
@@ -139,18 +119,66 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
 }
 
 void add_visibility(CLI::App& app, ReliefArguments& relief) {
-  auto* visible =
-      app.add_option_function<std::string>(
-             "--visible",
-             [&relief](const std::string& name) { relief.visibility = visibility(name); },
-             "orbit writes whole parts (the default); relief the surface seen from the front, with "
-             "walls (the default for .stl); all writes every face")
-          ->check(CLI::IsMember({"relief", "orbit", "all"}));
+  auto* visible = add_choice(
+      app, "--visible", relief.visibility,
+      "orbit writes whole parts (the default); relief the surface seen from the front, with walls "
+      "(the default for .stl); all writes every face",
+      {{"relief", Visibility::relief}, {"orbit", Visibility::orbit}, {"all", Visibility::all}});
   app.add_flag_callback(
          "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
          "Same as --visible all")
       ->excludes(visible);
   add_solid_options(app, relief);
+}
+
+void add_solid_options(CLI::App& app, ReliefArguments& relief) {
+  SolidOptions& solid = relief.solid_options;
+  auto* profile =
+      app.add_option_function<std::string>(
+             "--profile",
+             [&relief](const std::string& name) {
+               relief.solid = name != "relief";
+               relief.solid_options.back = name == "figure" ? BackSide::drawing : BackSide::flat;
+             },
+             "relief writes the surface alone (the default); solid a closed body with a flat back, "
+             "to print or carve; figure a closed body with a back as round as its front")
+          ->check(CLI::IsMember({"relief", "solid", "figure"}));
+  std::vector<CLI::Option*> options = {
+      app.add_option_function<std::string>(
+             "--back",
+             [&solid](const std::string& name) {
+               if (solid.back == BackSide::flat)
+                 throw CLI::ValidationError("--back applies to figures: add --profile figure");
+               if (name == "parts") solid.back = BackSide::parts;
+             },
+             "Colours on the back of a figure: drawing (the default), or parts, the mean colour of "
+             "each part")
+          ->check(CLI::IsMember({"drawing", "parts"})),
+      app.add_option("--mirror", solid.mirror,
+                     "Adds a copy of a limb to the far side of a figure: the id of a part that is "
+                     "joined to one behind it (repeatable)")
+          ->take_all()
+          ->expected(1),
+      add_choice(
+          app, "--base", solid.base,
+          "Plate below a solid: none (the default), outline, plate (a rectangle) or round; or "
+          "under the feet of a figure: plate or round",
+          {std::begin(base_shapes), std::end(base_shapes)}),
+      add_choice(app, "--height-mode", solid.detail,
+                 "How --height reduces depth: linear (evenly, the default), or detail (keeps small "
+                 "forms)",
+                 {{"linear", false}, {"detail", true}}),
+      app.add_option(
+             "--nozzle", relief.nozzle,
+             "Width in mm of the nozzle that the walls of a solid or figure are checked for "
+             "(default 0.4)")
+          ->check(within(0.05, 10.0))};
+  for (const auto& [name, length, least, most, text] : solid_lengths)
+    // --size applies to every model.
+    if (length != &SolidOptions::size)
+      options.push_back(app.add_option(std::string("--") + name, solid.*length, text)
+                            ->check(within(least, most)));
+  for (CLI::Option* option : options) option->needs(profile);
 }
 
 }  // namespace relievo::cli

@@ -15,4 +15,7 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief);
 /// Adds --visible, and the options of solids.
 void add_visibility(CLI::App& app, ReliefArguments& relief);
 
+/// Adds --profile and the options of solids and their bases.
+void add_solid_options(CLI::App& app, ReliefArguments& relief);
+
 }  // namespace relievo::cli

@@ -7,6 +7,7 @@
 #include "relief/session/build_relief.h"
 #include "solid/check_print.h"
 #include "solid/make_solid.h"
+#include "understanding/scene/propose_scene.h"
 
 namespace relievo::cli {
 
@@ -25,5 +26,10 @@ struct ReportInput {
 
 /// Formats the report as JSON, with keys in a fixed order. docs/report.md describes it.
 std::string write_report(const ReportInput& input);
+
+/// Formats the report of `relievo segment` as JSON: the parts and how they were completed, the
+/// depth order and the joins with their confidence, relations, tilts, times and warnings.
+std::string write_segment_report(const std::string& input, const understanding::Proposal& proposal,
+                                 double milliseconds);
 
 }  // namespace relievo::cli

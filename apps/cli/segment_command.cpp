@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "apps/cli/common_arguments.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
-#include "apps/cli/overlay_picture.h"
-#include "apps/cli/scene_output.h"
-#include "apps/cli/segment_report.h"
+#include "apps/cli/pictures.h"
+#include "apps/cli/report.h"
 #include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/files/paths.h"
@@ -35,17 +35,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A flat drawing with its known segmentation and its project.
+constexpr const char* segment_help =
+    R"(Turns a flat drawing into a scene. Finds the parts, completes the regions that other parts hide,
+orders the parts in depth and proposes joins. An SVG drawing is first painted as a picture.
+
+Examples:
+  relievo segment wolf.png -o wolf.relievo
+  relievo segment photo.jpg --scribbles strokes.png -o wolf.relievo --overlay understood.png
+  relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
+  relievo segment wolf.png -o wolf.psd
+  relievo build wolf.relievo -o wolf.glb)";
+
+struct SegmentArguments {
+  CommonArguments common;
+  std::string labels;     ///< file; empty: found in the drawing, or those of the project
+  std::string scribbles;  ///< .png or .json
+  std::string figure;     ///< mask of the figure (.png); empty: found
+  int parts = 0;          ///< number of parts to propose; 0: as many as are found
+  std::string output;     ///< project .relievo, scene .json or layers .psd
+  std::string overlay;    ///< files; empty: not wanted
+  std::string report;
+};
+
+/// A flat drawing with what is known of it.
 struct SegmentInput {
   std::string drawing_file;  ///< its path or "-"; empty if a project holds it or it was made here
-  ProjectDrawing drawing;    ///< the artist's own file, or a picture of a vector drawing
+  Project project;           ///< new, or as it was read; it has a segmentation
   Image8 pixels;             ///< of the drawing, RGBA
-  understanding::SegmentationRecord record;
-  understanding::Segmentation found;              ///< empty if the record has the labels
-  std::string name;                               ///< of the project; empty if there was none
-  Scene scene;                                    ///< of the project; empty if there was none
-  std::string first_frame{};                      ///< a warning about an animation, or empty
-  std::map<std::string, std::string> other_keys;  ///< unknown keys of the project, kept
+  understanding::Segmentation found;  ///< empty if the project has the labels
+  std::string first_frame{};          ///< a warning about an animation, or empty
 };
 
 /// Longest side of the picture that is made from a vector drawing, px.
@@ -57,19 +75,12 @@ Result<SegmentInput> from_project(const InputFile& file) {
   if (!project->segmentation)
     return Error{ErrorCode::bad_input,
                  "is a project of a layered drawing, whose layers are its parts already", ""};
-  SegmentInput input;
-  input.drawing = std::move(project->drawing);
-  input.record = std::move(*project->segmentation);
-  input.name = std::move(project->name);
-  input.other_keys = std::move(project->other_keys);
-  input.scene = std::move(project->scene);
-  return input;
+  return SegmentInput{"", std::move(*project), {}, {}};
 }
 
 /// Paints a vector drawing as the picture to segment, a PNG file.
 Result<Bytes> picture_of(const Bytes& svg) {
-  const std::string_view text{reinterpret_cast<const char*>(svg.data()), svg.size()};
-  auto drawing = read_svg(text);
+  auto drawing = read_svg(text_of(svg));
   if (!drawing) return drawing.error();
   understanding::settle_layers(*drawing);
   const auto picture = rasterize(drawing->paintable, vector_side);
@@ -80,8 +91,9 @@ Result<Bytes> picture_of(const Bytes& svg) {
 SegmentInput from_picture(const InputFile& file) {
   SegmentInput input;
   input.drawing_file = file.name;
-  input.drawing = {file.name == "-" ? "drawing" : fs::path(file.name).filename().string(), "image",
-                   "image/" + picture_kind(file.bytes), file.bytes};
+  input.project.segmentation.emplace();
+  input.project.drawing = {file.name == "-" ? "drawing" : fs::path(file.name).filename().string(),
+                           "image", "image/" + picture_kind(file.bytes), file.bytes};
   return input;
 }
 
@@ -98,7 +110,8 @@ Result<SegmentInput> from_picture_of(const InputFile& file, Result<Bytes> pictur
   if (!picture) return picture.error();
   SegmentInput input = from_picture({file.name, std::move(*picture)});
   input.drawing_file.clear();
-  input.drawing.name = fs::path(input.drawing.name).replace_extension("png").string();
+  input.project.drawing.name =
+      fs::path(input.project.drawing.name).replace_extension("png").string();
   return input;
 }
 
@@ -118,26 +131,20 @@ Error wrong_size(const Image8& drawing, const std::string& name) {
           name};
 }
 
-Status read_labels(const std::string& name, SegmentInput& input) {
+/// Returns what `decode` makes of the content of a file.
+template <class Decode>
+auto read_as(const std::string& name, Decode decode) -> decltype(decode(Bytes())) {
   const auto bytes = read_file(name);
   if (!bytes) return bytes.error();
-  auto labels = decode_png_values(*bytes);
-  if (!labels) return in_file(labels.error(), name);
-  input.record.labels = std::move(*labels);
-  return Done{};
+  auto content = decode(*bytes);
+  return content ? std::move(content) : in_file(content.error(), name);
 }
 
-Result<understanding::Scribbles> load_scribbles(const std::string& name, const Image8& pixels) {
-  const auto bytes = read_file(name);
-  if (!bytes) return bytes.error();
-  if (!is_png(*bytes)) {
-    auto scribbles = read_scribbles({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    return scribbles ? std::move(scribbles) : in_file(scribbles.error(), name);
-  }
-  const auto picture = decode_png(*bytes);
-  if (!picture) return in_file(picture.error(), name);
-  auto scribbles = scribbles_from_image(*picture, pixels.width, pixels.height);
-  return scribbles ? std::move(scribbles) : in_file(scribbles.error(), name);
+Result<understanding::Scribbles> decode_scribbles(const Bytes& bytes, const Image8& drawing) {
+  if (!is_png(bytes)) return read_scribbles(text_of(bytes));
+  const auto picture = decode_png(bytes);
+  if (!picture) return picture.error();
+  return scribbles_from_image(*picture, drawing.width, drawing.height);
 }
 
 bool is_transparent_somewhere(const Image8& rgba) {
@@ -149,10 +156,8 @@ bool is_transparent_somewhere(const Image8& rgba) {
 /// Makes the drawing transparent outside the mask `name`. The result replaces the drawing, so that
 /// everything which reads it later finds the same figure.
 Status cut_out(const std::string& name, SegmentInput& input) {
-  const auto bytes = read_file(name);
-  if (!bytes) return bytes.error();
-  const auto mask = decode_image(*bytes);
-  if (!mask) return in_file(mask.error(), name);
+  const auto mask = read_as(name, [](const Bytes& bytes) { return decode_image(bytes); });
+  if (!mask) return mask.error();
   if (mask->width != input.pixels.width || mask->height != input.pixels.height)
     return wrong_size(input.pixels, name);
   const bool by_alpha = is_transparent_somewhere(*mask);
@@ -163,8 +168,8 @@ Status cut_out(const std::string& name, SegmentInput& input) {
   }
   auto cut = encode_png(input.pixels);
   if (!cut) return cut.error();
-  const std::string title = fs::path(input.drawing.name).replace_extension("png").string();
-  input.drawing = {title, "image", "image/png", std::move(*cut)};
+  const std::string title = fs::path(input.project.drawing.name).replace_extension("png").string();
+  input.project.drawing = {title, "image", "image/png", std::move(*cut)};
   input.drawing_file.clear();
   return Done{};
 }
@@ -172,20 +177,28 @@ Status cut_out(const std::string& name, SegmentInput& input) {
 /// Reads or finds the labels, as the arguments specify.
 Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
-  if (!segment.labels.empty()) return read_labels(segment.labels, input);
+  understanding::SegmentationRecord& record = *input.project.segmentation;
+  if (!segment.labels.empty()) {
+    auto labels =
+        read_as(segment.labels, [](const Bytes& bytes) { return decode_png_values(bytes); });
+    if (!labels) return labels.error();
+    record.labels = std::move(*labels);
+    return Done{};
+  }
   const bool as_in_project =
       segment.scribbles.empty() && segment.figure.empty() && segment.parts == 0;
-  if (as_in_project && !input.record.labels.empty()) return Done{};
+  if (as_in_project && !record.labels.empty()) return Done{};
   if (!segment.figure.empty())
     if (Status status = cut_out(segment.figure, input); !status) return status;
   if (!segment.scribbles.empty()) {
-    auto scribbles = load_scribbles(segment.scribbles, input.pixels);
+    auto scribbles = read_as(segment.scribbles, [&](const Bytes& bytes) {
+      return decode_scribbles(bytes, input.pixels);
+    });
     if (!scribbles) return scribbles.error();
-    input.record.scribbles = std::move(*scribbles);
+    record.scribbles = std::move(*scribbles);
   }
-  if (segment.parts > 0) input.record.scribbles.count = segment.parts;
-  auto found =
-      understanding::segment_drawing(Drawing{input.pixels}, input.record.scribbles, context);
+  if (segment.parts > 0) record.scribbles.count = segment.parts;
+  auto found = understanding::segment_drawing(Drawing{input.pixels}, record.scribbles, context);
   if (!found) return found.error();
   input.found = std::move(*found);
   return Done{};
@@ -196,66 +209,54 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
   if (!file) return file.error();
   auto input = from_file(*file);
   if (!input) return in_file(input.error(), file->name);
-  auto pixels = decode_image(input->drawing.bytes);
+  auto pixels = decode_image(input->project.drawing.bytes);
   if (!pixels) return in_file(pixels.error(), file->name);
   input->pixels = std::move(*pixels);
   if (Status status = choose_labels(segment, *input, context); !status)
     return in_first_frame(status.error(), file->bytes);
   input->first_frame = first_frame_warning(file->bytes);
-  const Image16& labels = input->found.labels.empty() ? input->record.labels : input->found.labels;
+  const Image16& labels =
+      input->found.labels.empty() ? input->project.segmentation->labels : input->found.labels;
   if (labels.width != input->pixels.width || labels.height != input->pixels.height)
     return wrong_size(input->pixels, segment.labels);
   return input;
 }
 
-using Files = std::vector<OutputFile>;
-
 /// Makes a project of the drawing and its segmentation.
 Project project_of(const SegmentInput& input, const understanding::Understanding& understanding) {
-  Project project;
-  project.name = input.name.empty() ? fs::path(input.drawing.name).stem().string() : input.name;
-  project.drawing = input.drawing;
+  Project project = input.project;
+  if (project.name.empty()) project.name = fs::path(project.drawing.name).stem().string();
   project.segmentation = understanding.record;
   project.scene = understanding.scene;
   project.scene.drawing = "drawing";
-  project.other_keys = input.other_keys;
+  project.picture.clear();
   return project;
 }
 
-/// Makes the main output, in the format given by its extension.
-Result<Files> main_files(const SegmentArguments& segment, const SegmentInput& input,
-                         const understanding::Understanding& understanding) {
+/// Makes all files that the command writes, the main one in the format given by its extension.
+Outputs outputs_of(const SegmentArguments& segment, const SegmentInput& input,
+                   const understanding::Understanding& understanding, double milliseconds) {
+  Outputs outputs;
   const fs::path ending = fs::path(segment.output).extension();
   if (ending == ".json")
-    return scene_files(segment.output, understanding.scene,
-                       {input.drawing_file, input.drawing.bytes});
-  Files files;
-  const Status added =
-      add_file(files, segment.output,
-               ending == ".psd" ? encode_part_layers(understanding.scene, input.pixels)
-                                : encode_project(project_of(input, understanding)));
-  if (!added) return added.error();
-  return files;
-}
-
-/// Makes all files that the command writes.
-Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& input,
-                       const understanding::Understanding& understanding, double milliseconds) {
-  auto files = main_files(segment, input, understanding);
-  if (!files) return files.error();
-  if (!segment.overlay.empty()) {
+    add_scene(outputs, segment.output, understanding.scene,
+              {input.drawing_file, input.project.drawing.bytes});
+  else
+    outputs.add(segment.output, [&] {
+      return ending == ".psd" ? encode_part_layers(understanding.scene, input.pixels)
+                              : encode_project(project_of(input, understanding));
+    });
+  outputs.add(segment.overlay, [&] {
     std::vector<std::vector<Point2>> bridges;
     for (const understanding::Bridge& bridge : understanding.segmentation.bridges)
       bridges.push_back(bridge.points);
-    const Status added = add_file(*files, segment.overlay,
-                                  draw_overlay(understanding.scene, {bridges, {}}, input.pixels));
-    if (!added) return added.error();
-  }
-  if (!segment.report.empty())
-    files->push_back(
-        {segment.report, bytes_of(write_segment_report(segment.common.input, understanding.proposal,
-                                                       milliseconds))});
-  return files;
+    return draw_overlay(understanding.scene, {bridges, {}}, input.pixels);
+  });
+  outputs.add(segment.report, [&] {
+    return bytes_of(
+        write_segment_report(segment.common.input, understanding.proposal, milliseconds));
+  });
+  return outputs;
 }
 
 /// Describes a scene: "6 parts, 5 joins, 8 relations, 1 tilted".
@@ -270,37 +271,68 @@ std::string summary(const Scene& scene) {
          (flat > 0 ? ", " + std::to_string(flat) + " flat" : "");
 }
 
-}  // namespace
-
 Status run_segment(const SegmentArguments& segment, Interruption& interruption) {
-  const bool quiet = segment.common.quiet;
-  std::vector<fs::path> outputs = {segment.output};
-  for (const std::string* name : {&segment.overlay, &segment.report})
-    if (!name->empty()) outputs.emplace_back(*name);
   std::vector<fs::path> inputs;
   for (const std::string* name :
        {&segment.common.input, &segment.labels, &segment.scribbles, &segment.figure})
     if (!name->empty() && *name != "-") inputs.emplace_back(*name);
-  if (Status status = check_outputs(outputs, inputs); !status) return status;
-  Progress progress(quiet);
-  RunContext context{interruption.flag()};
-  progress.watch(context);
+  if (Status status = check_outputs({segment.output, segment.overlay, segment.report}, inputs);
+      !status)
+    return status;
+  Progress progress;
+  const RunContext context = progress.context(interruption.flag());
   auto loaded = load(segment, context);
   if (!loaded) return loaded.error();
   const Stopwatch watch;
   const auto understood = understanding::understand_drawing(
-      loaded->pixels, std::move(loaded->found), std::move(loaded->record), loaded->scene, context);
+      loaded->pixels, std::move(loaded->found), std::move(*loaded->project.segmentation),
+      loaded->project.scene, context);
   if (!understood) return understood.error();
   if (understood->scene.parts.empty())
     return Error{ErrorCode::bad_input, "has no parts: all were removed in the project", ""};
-  const auto files = files_of(segment, *loaded, *understood, watch.milliseconds());
-  if (!files) return files.error();
-  if (Status status = save(*files, inputs, interruption); !status) return status;
-  print_warnings(understood->warnings, quiet);
-  if (!loaded->first_frame.empty()) print_warnings({loaded->first_frame}, quiet);
-  print_note(summary(understood->scene), quiet);
-  for (const OutputFile& file : *files) print_result(file.path.string(), quiet);
+  const Outputs made = outputs_of(segment, *loaded, *understood, watch.milliseconds());
+  if (Status status = save(made, inputs, interruption); !status) return status;
+  print_warnings(understood->warnings);
+  if (!loaded->first_frame.empty()) print_warnings({loaded->first_frame});
+  print_note(summary(understood->scene));
+  for (const OutputFile& file : made.files) print_result(file.path.string());
   return Done{};
+}
+
+}  // namespace
+
+void add_segment(CLI::App& main, Command& chosen) {
+  const auto segment = std::make_shared<SegmentArguments>();
+  CLI::App& app = *main.add_subcommand("segment", segment_help);
+  add_common(app, segment->common,
+             "Drawing (.png, .jpg, .gif, .svg), or a project, whose corrections are applied");
+  auto* labels =
+      add_path(app, "--labels", segment->labels,
+               "Grey or palette picture whose values number the parts; 0 is background (.png)");
+  add_path(app, "--scribbles", segment->scribbles,
+           "Strokes that mark the parts: a picture with one colour for each part (.png), or a "
+           "scribble file (.json)",
+           {".png", ".json"})
+      ->excludes(labels);
+  add_path(app, "--figure", segment->figure,
+           "Mask of the figure, white or opaque (.png): all of it becomes parts, and nothing else "
+           "does")
+      ->excludes(labels);
+  app.add_option(
+         "--parts", segment->parts,
+         "Approximate number of parts: the pieces that most likely belong together are merged, or "
+         "the least certain parts divided (default: decided by lines and colours)")
+      ->check(CLI::Range(1, 1000))
+      ->excludes(labels);
+  add_path(app, "-o,--output", segment->output,
+           "Project (.relievo), scene file (.json), or the parts as layers for further painting "
+           "(.psd)",
+           {".relievo", ".json", ".psd"})
+      ->required();
+  add_path(app, "--overlay", segment->overlay, overlay_help);
+  add_path(app, "--report", segment->report, "The parts and guesses, with their confidence (.json)",
+           {".json"});
+  app.callback([segment, &chosen] { chosen = command(segment, run_segment); });
 }
 
 }  // namespace relievo::cli

@@ -3,28 +3,17 @@
 namespace relievo::python {
 namespace {
 
-const char* class_name(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::usage:
-      return "UsageError";
-    case ErrorCode::bad_input:
-      return "BadInputError";
-    case ErrorCode::contradiction:
-      return "ContradictionError";
-    case ErrorCode::limit:
-      return "LimitError";
-    case ErrorCode::file:
-      return "FileError";
-    default:
-      return "InternalError";
-  }
-}
+/// The classes of relievo/errors.py for the kinds of errors, in the order of ErrorCode. An
+/// interruption raises the exception of its signal instead.
+constexpr const char* class_names[] = {"InternalError",      "UsageError", "BadInputError",
+                                       "ContradictionError", "LimitError", "FileError",
+                                       "InternalError"};
 
 }  // namespace
 
 void raise(const Error& error) {
   const pybind11::object kind =
-      pybind11::module_::import("relievo.errors").attr(class_name(error.code));
+      pybind11::module_::import("relievo.errors").attr(class_names[static_cast<int>(error.code)]);
   PyErr_SetObject(kind.ptr(), kind(error.message, error.where).ptr());
   throw pybind11::error_already_set();
 }

@@ -47,13 +47,8 @@ py::array render(const ShownModel& shown, const RenderOptions& options) {
   }));
 }
 
-struct MapFiles {
-  fs::path normal;  ///< empty: not wanted
-  fs::path depth;
-  fs::path part;
-};
-
-Status save_maps(const ShownMaps& shown, const MapFiles& names) {
+Status save_maps(const ShownMaps& shown, const fs::path& normals, const fs::path& heights,
+                 const fs::path& parts) {
   std::vector<OutputFile> files;
   const auto add = [&](const fs::path& path, auto encode) -> Status {
     if (path.empty()) return Done{};
@@ -62,44 +57,41 @@ Status save_maps(const ShownMaps& shown, const MapFiles& names) {
     files.push_back({path, std::move(*bytes)});
     return Done{};
   };
-  const auto normals = [](const ReliefMaps& maps) { return encode_normal_map(maps); };
-  if (Status status = add(names.normal, normals); !status) return status;
-  if (Status status = add(names.depth, encode_depth_map); !status) return status;
-  if (Status status = add(names.part, encode_part_map); !status) return status;
+  const auto encode_normals = [](const ReliefMaps& maps) { return encode_normal_map(maps); };
+  if (Status status = add(normals, encode_normals); !status) return status;
+  if (Status status = add(heights, encode_depth_map); !status) return status;
+  if (Status status = add(parts, encode_part_map); !status) return status;
   return write_files(files, shown.source->files);
+}
+
+/// Returns the getter of a list of the model, as an array with a row of numbers for each item.
+template <class Number, class Value>
+auto rows(std::vector<Value> Model::*list) {
+  return [list](const py::object& self) {
+    return view_rows<Number>(self.cast<ShownModel&>().model.*list, self);
+  };
+}
+
+/// Returns the getter of a map, as an array.
+template <class Map>
+auto picture(Map ReliefMaps::*map) {
+  return
+      [map](const py::object& self) { return view_image(self.cast<ShownMaps&>().maps.*map, self); };
 }
 
 void bind_model(py::module_& module) {
   py::class_<ShownModel>(module, "Model")
-      .def_property_readonly("vertices",
-                             [](const py::object& self) {
-                               return view_rows<double>(self.cast<ShownModel&>().model.positions,
-                                                        self);
-                             })
-      .def_property_readonly("normals",
-                             [](const py::object& self) {
-                               return view_rows<double>(self.cast<ShownModel&>().model.normals,
-                                                        self);
-                             })
-      .def_property_readonly("uvs",
-                             [](const py::object& self) {
-                               return view_rows<double>(self.cast<ShownModel&>().model.uvs, self);
-                             })
-      .def_property_readonly("faces",
-                             [](const py::object& self) {
-                               return view_rows<int>(self.cast<ShownModel&>().model.triangles,
-                                                     self);
-                             })
+      .def_property_readonly("vertices", rows<double>(&Model::positions))
+      .def_property_readonly("normals", rows<double>(&Model::normals))
+      .def_property_readonly("uvs", rows<double>(&Model::uvs))
+      .def_property_readonly("faces", rows<int>(&Model::triangles))
       .def_property_readonly("parts", [](const ShownModel& self) { return self.model.parts; })
-
       .def_property_readonly("solid", [](const ShownModel& self) { return self.solid; })
       .def(
           "save",
           [](const ShownModel& self, const fs::path& path, std::optional<double> size,
              int filaments, Slicer slicer) {
-            ExportOptions options;
-            options.filaments = filaments;
-            options.slicer = slicer;
+            const ExportOptions options = {.filaments = filaments, .slicer = slicer};
             run([&](const RunContext&) { return save(self, path, size, options); });
           },
           py::arg("path"), py::arg("size"), py::arg("filaments"), py::arg("slicer"))
@@ -108,23 +100,14 @@ void bind_model(py::module_& module) {
 
 void bind_maps(py::module_& module) {
   py::class_<ShownMaps>(module, "Maps")
-      .def_property_readonly("heights",
-                             [](const py::object& self) {
-                               return view_image(self.cast<ShownMaps&>().maps.height, self);
-                             })
-      .def_property_readonly("normals",
-                             [](const py::object& self) {
-                               return view_image(self.cast<ShownMaps&>().maps.normal, self);
-                             })
-      .def_property_readonly("parts",
-                             [](const py::object& self) {
-                               return view_image(self.cast<ShownMaps&>().maps.part, self);
-                             })
+      .def_property_readonly("heights", picture(&ReliefMaps::height))
+      .def_property_readonly("normals", picture(&ReliefMaps::normal))
+      .def_property_readonly("parts", picture(&ReliefMaps::part))
       .def(
           "save",
           [](const ShownMaps& self, const fs::path& normals, const fs::path& heights,
              const fs::path& parts) {
-            run([&](const RunContext&) { return save_maps(self, {normals, heights, parts}); });
+            run([&](const RunContext&) { return save_maps(self, normals, heights, parts); });
           },
           py::kw_only(), py::arg("normals") = "", py::arg("heights") = "", py::arg("parts") = "");
 }

@@ -19,35 +19,36 @@ namespace py = pybind11;
 
 /// A session that several threads may use, one after the other.
 class LockedSession {
+  /// Runs work on the session, when other threads have finished theirs.
+  template <class Work>
+  auto locked(const Work& work) {
+    return run([&](const RunContext& context) {
+      const std::lock_guard lock(mutex_);
+      return work(context);
+    });
+  }
+
  public:
   explicit LockedSession(SharedSource source) : source_(std::move(source)) {}
 
   BuildReport build(const py::handle& scene, const BuildOptions& options) {
     const Scene content = to_scene(scene);
-    return run([&](const RunContext& context) {
-      const std::lock_guard lock(mutex_);
-      return session_.build(content, options, context);
-    });
+    return locked(
+        [&](const RunContext& context) { return session_.build(content, options, context); });
   }
 
   void make_exact() {
-    run([&](const RunContext& context) {
-      const std::lock_guard lock(mutex_);
-      return session_.make_exact(context);
-    });
+    locked([&](const RunContext& context) { return session_.make_exact(context); });
   }
 
   ShownModel model(const ModelOptions& options, Field field) {
-    return {run([&](const RunContext& context) {
-              const std::lock_guard lock(mutex_);
-              return session_.model(options, field, context);
-            }),
-            source_, std::nullopt, std::nullopt};
+    return {
+        locked([&](const RunContext& context) { return session_.model(options, field, context); }),
+        source_, std::nullopt, std::nullopt};
   }
 
   ShownModel solid(const SolidOptions& options) {
-    Solid solid = run([&](const RunContext& context) {
-      const std::lock_guard lock(mutex_);
+    Solid solid = locked([&](const RunContext& context) {
       return session_.solid(options, source_->drawing, context);
     });
     return {std::move(solid.model), source_, std::move(solid.drawing), std::move(solid.facts),
@@ -55,10 +56,7 @@ class LockedSession {
   }
 
   ShownMaps maps(int longest) {
-    return {run([&](const RunContext& context) {
-              const std::lock_guard lock(mutex_);
-              return session_.maps(longest, context);
-            }),
+    return {locked([&](const RunContext& context) { return session_.maps(longest, context); }),
             source_};
   }
 

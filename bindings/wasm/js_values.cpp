@@ -10,31 +10,15 @@ val copy(const char* type, const std::vector<T>& values) {
   return val::global(type).new_(val(emscripten::typed_memory_view(values.size(), values.data())));
 }
 
-const char* name(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::internal:
-      return "internal";
-    case ErrorCode::usage:
-      return "usage";
-    case ErrorCode::bad_input:
-      return "bad_input";
-    case ErrorCode::contradiction:
-      return "contradiction";
-    case ErrorCode::limit:
-      return "limit";
-    case ErrorCode::file:
-      return "file";
-    case ErrorCode::interrupted:
-      return "interrupted";
-  }
-  return "internal";
-}
+/// The names of ErrorCode, in its order.
+constexpr const char* code_names[] = {"internal", "usage", "bad_input",  "contradiction",
+                                      "limit",    "file",  "interrupted"};
 
 }  // namespace
 
 val failure(const Error& error) {
   val what = val::object();
-  what.set("code", name(error.code));
+  what.set("code", std::string(code_names[static_cast<int>(error.code)]));
   what.set("message", error.message);
   what.set("where", error.where);
   if (error.culprit.list != CulpritList::none) {

@@ -22,6 +22,13 @@ Bytes to_bytes(const emscripten::val& array);
 /// Makes a picture of pixels of 4 bytes each, straight alpha.
 Image8 to_image(const emscripten::val& rgba, int width, int height);
 
+/// Returns the coordinates of points, one after the other.
+template <class Point>
+std::vector<float> flatten(const std::vector<Point>& points) {
+  const auto* numbers = reinterpret_cast<const double*>(points.data());
+  return {numbers, numbers + points.size() * (sizeof(Point) / sizeof(double))};
+}
+
 /// Copy values to arrays that the page owns.
 emscripten::val to_js(const Bytes& bytes);
 emscripten::val to_js(const std::vector<float>& numbers);

@@ -4,14 +4,9 @@
 #include <iterator>
 
 #include "bindings/wasm/js_values.h"
-#include "io/mesh/glb_encode.h"
-#include "io/mesh/html_encode.h"
 #include "io/mesh/obj_encode.h"
 #include "io/mesh/placement.h"
-#include "io/mesh/ply_encode.h"
-#include "io/mesh/stl_encode.h"
 #include "io/mesh/threemf_encode.h"
-#include "io/mesh/usdz_encode.h"
 #include "io/scene/scene_json.h"
 #include "relief/finish/finish_model.h"
 #include "relief/finish/hidden_patches.h"
@@ -103,22 +98,6 @@ Field field_named(const std::string& name) {
   return name == "shift" ? Field::shift : Field::relief;
 }
 
-std::vector<float> flatten(const std::vector<Point3>& points) {
-  std::vector<float> flat;
-  flat.reserve(3 * points.size());
-  for (const Point3& p : points)
-    for (const double x : {p.x, p.y, p.z}) flat.push_back(static_cast<float>(x));
-  return flat;
-}
-
-std::vector<float> flatten(const std::vector<Point2>& points) {
-  std::vector<float> flat;
-  flat.reserve(2 * points.size());
-  for (const Point2& p : points)
-    for (const double x : {p.x, p.y}) flat.push_back(static_cast<float>(x));
-  return flat;
-}
-
 val runs(const std::vector<ModelPart>& parts, const relief::HiddenPatches& hidden) {
   std::vector<int> dressed(parts.size(), 0);
   for (const relief::HiddenPatch& patch : hidden.patches)
@@ -164,66 +143,32 @@ val findings(const Solid& solid, bool standing) {
   return list;
 }
 
-/// A list of files under construction; keeps the first error.
-class Files {
- public:
-  void add(const std::string& name, const Result<Bytes>& bytes) {
-    if (bytes)
-      add(name, *bytes);
-    else if (!error_)
-      error_ = bytes.error();
-  }
-  void add(const std::string& name, const Bytes& bytes) {
+/// Returns a model as files; as "3mf", the files of the package, which the page packs.
+Result<std::vector<ArchiveEntry>> encode_as(const std::string& format, const std::string& name,
+                                            const Model& model, const Drawing& drawing,
+                                            const ExportOptions& options) {
+  if (format == "3mf")
+    return threemf_entries(model, drawing.rgba.empty() ? nullptr : &drawing, options);
+  const std::string stem = format == "obj" ? obj_file_name(name) : name;
+  auto files = export_model(model, drawing, stem + "." + format, options);
+  if (!files) return files.error();
+  std::vector<ArchiveEntry> entries;
+  for (OutputFile& file : *files) entries.push_back({file.path.string(), std::move(file.bytes)});
+  return entries;
+}
+
+val to_js(const Result<std::vector<ArchiveEntry>>& files) {
+  if (!files) return failure(files.error());
+  val list = val::array();
+  for (const ArchiveEntry& entry : *files) {
     val file = val::object();
-    file.set("name", name);
-    file.set("bytes", wasm::to_js(bytes));
-    list_.call<void>("push", file);
+    file.set("name", entry.name);
+    file.set("bytes", wasm::to_js(entry.bytes));
+    list.call<void>("push", file);
   }
-  val finish() const {
-    if (error_) return failure(*error_);
-    val result = val::object();
-    result.set("files", list_);
-    return result;
-  }
-
- private:
-  val list_ = val::array();
-  std::optional<Error> error_;
-};
-
-val encode_obj_files(const Model& model, const Drawing* texture, double size_mm,
-                     const std::string& name) {
-  const auto encoded = encode_obj(model, texture, size_mm, name);
-  if (!encoded) return failure(encoded.error());
-  const std::string stem = obj_file_name(name);
-  Files files;
-  files.add(stem + ".obj", encoded->obj);
-  files.add(stem + ".mtl", encoded->mtl);
-  if (!encoded->png.empty()) files.add(stem + ".png", encoded->png);
-  return files.finish();
-}
-
-val threemf_files(const Model& model, const Drawing* texture, const ExportOptions& options) {
-  const auto entries = threemf_entries(model, texture, options);
-  if (!entries) return failure(entries.error());
-  Files files;
-  for (const ArchiveEntry& entry : *entries) files.add(entry.name, entry.bytes);
-  return files.finish();
-}
-
-val encode_as(const std::string& format, const Model& model, const Drawing& drawing, double size_mm,
-              const std::string& name, bool standing = false) {
-  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
-  if (format == "obj") return encode_obj_files(model, texture, size_mm, name);
-  if (format == "3mf") return threemf_files(model, texture, {size_mm, standing});
-  Files files;
-  const std::string file = name + "." + format;
-  if (format == "ply") files.add(file, encode_ply(model, texture, size_mm));
-  if (format == "stl") files.add(file, encode_stl(model, size_mm, standing));
-  if (format == "glb") files.add(file, encode_glb(model, texture, size_mm));
-  if (format == "usdz") files.add(file, encode_usdz(model, texture, size_mm));
-  if (format == "html") files.add(file, encode_html(model, texture, name));
-  return files.finish();
+  val result = val::object();
+  result.set("files", list);
+  return result;
 }
 
 }  // namespace
@@ -311,18 +256,17 @@ val Reconstruction::encode_solid(const std::string& format, const std::string& n
   if (!solid) return failure(solid.error());
   const auto made = session_.solid(*solid, texture_);
   if (!made) return failure(made.error());
-  return encode_as(format, made->model, made->drawing, longest_side(made->model), name,
-                   stands(*solid));
+  return to_js(encode_as(format, name, made->model, made->drawing,
+                         {longest_side(made->model), stands(*solid)}));
 }
 
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
   ModelOptions options;
   options.visibility = exported_visibility("model." + format);
-  auto assembled = session_.model(options);
-  if (!assembled) return failure(assembled.error());
-  const auto [model, drawing] = relief::finish_model(std::move(*assembled), texture_);
-  return encode_as(format, model, drawing, size_mm, name);
+  const auto model = session_.model(options);
+  if (!model) return failure(model.error());
+  return to_js(encode_as(format, name, *model, texture_, {size_mm}));
 }
 
 val Reconstruction::map(const std::string& kind, int side, bool green_down) {

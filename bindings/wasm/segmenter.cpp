@@ -11,7 +11,7 @@
 #include "io/scene/scene_json.h"
 #include "understanding/areas/find_basins.h"
 #include "understanding/labels/label_basins.h"
-#include "understanding/scene/relabel.h"
+#include "understanding/scene/keep_edits.h"
 #include "understanding/scene/understand_drawing.h"
 
 namespace relievo::wasm {
@@ -51,11 +51,8 @@ val bridges_of(const understanding::Segmentation& segmentation) {
   val list = val::array();
   for (size_t k = 0; k < segmentation.bridges.size(); ++k) {
     const understanding::Bridge& found = segmentation.bridges[k];
-    std::vector<float> points;
-    for (const Point2 p : found.points)
-      for (const double x : {p.x, p.y}) points.push_back(static_cast<float>(x));
     val bridge = val::object();
-    bridge.set("points", to_js(points));
+    bridge.set("points", to_js(flatten(found.points)));
     bridge.set("left", found.label_a);
     bridge.set("right", found.label_b);
     list.set(k, bridge);

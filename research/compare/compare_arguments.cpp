@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <memory>
 
 #include "apps/cli/common_arguments.h"
 #include "apps/cli/exit_code.h"
 #include "apps/cli/relief_arguments.h"
-#include "apps/cli/within.h"
 #include "research/compare/compare_command.h"
 
 namespace relievo::research {
@@ -26,7 +26,7 @@ std::vector<std::string> method_names() {
 }
 
 void add_options(CLI::App& app, CompareArguments& compare) {
-  using cli::extension;
+  using cli::add_path;
   add_common(app, compare.common, cli::input_help);
   add_connect(app, compare.common);
   add_mesh_options(app, compare.relief);
@@ -34,27 +34,22 @@ void add_options(CLI::App& app, CompareArguments& compare) {
       ->required()
       ->check(CLI::IsMember(method_names()));
   app.add_option("-o,--output", compare.models, "Model: .glb, .obj, .ply or .stl (repeatable)")
-      ->check(extension({".glb", ".obj", ".ply", ".stl"}))
+      ->check(cli::extension({".glb", ".obj", ".ply", ".stl"}))
       ->expected(1)
       ->take_all();
-  const CLI::Validator picture = extension({".png"});
-  app.add_option("--preview", compare.preview, "Picture of the model (.png)")->check(picture);
-  app.add_option("--normal-map", compare.normal_map, "Normals of the nearest surface (.png)")
-      ->check(picture);
-  app.add_option("--depth-map", compare.depth_map,
-                 "Heights of the nearest surface, 16 bit, near is white (.png)")
-      ->check(picture);
-  app.add_option("--report", compare.report, "Measures of the joins and the contour (.json)")
-      ->check(extension({".json"}));
+  add_path(app, "--preview", compare.preview, "Picture of the model (.png)");
+  add_path(app, "--normal-map", compare.normal_map, "Normals of the nearest surface (.png)");
+  add_path(app, "--depth-map", compare.depth_map,
+           "Heights of the nearest surface, 16 bit, near is white (.png)");
+  add_path(app, "--report", compare.report, "Measures of the joins and the contour (.json)",
+           {".json"});
   app.add_option("--map-size", compare.map_size, "Longest side of the maps in px (default 1024)")
       ->check(CLI::Range(16, 8192));
   app.add_option("--graft", compare.options.graft,
                  "For ink-and-ray: reach of the graft around a join / its length (default 0.25)")
       ->check(cli::within(0.0, 10.0));
-  app.add_option("--graft-mask", compare.graft_mask,
-                 "For ink-and-ray: the region to graft instead, white in a picture of the canvas "
-                 "(.png)")
-      ->check(picture);
+  add_path(app, "--graft-mask", compare.graft_mask,
+           "For ink-and-ray: the region to graft instead, white in a picture of the canvas (.png)");
   app.add_option("--cell", compare.options.cell,
                  "For entem: size of the triangles / the radius there (default 0.2)")
       ->check(cli::within(0.05, 1.0));
@@ -72,19 +67,16 @@ void check_outputs_given(const CompareArguments& compare) {
 
 cli::ParsedArguments parse_compare(int argc, const char* const* argv) {
   CLI::App app(help, "relievo-compare");
-  CompareArguments compare;
-  add_options(app, compare);
+  const auto compare = std::make_shared<CompareArguments>();
+  add_options(app, *compare);
   try {
     app.parse(argc, argv);
-    check_outputs_given(compare);
+    check_outputs_given(*compare);
+    return cli::command(compare, run_compare);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, std::cout, std::cerr) == 0 ? cli::exit_done : cli::exit_usage;
+    return app.exit(error, std::cout, std::cerr) == 0 ? cli::exit_done
+                                                      : cli::exit_code(ErrorCode::usage);
   }
-  return cli::Command{compare.common, [compare](cli::Interruption& interruption) -> Result<int> {
-                        const Status status = run_compare(compare, interruption);
-                        if (!status) return status.error();
-                        return cli::exit_done;
-                      }};
 }
 
 }  // namespace relievo::research

@@ -76,46 +76,36 @@ std::string write_measures(const Measures& measures, const Compared& compared,
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-Status add_maps(const Compared& compared, const CompareArguments& compare,
-                std::vector<OutputFile>& files, const RunContext& context) {
+Status add_maps(const Compared& compared, const CompareArguments& compare, cli::Outputs& outputs,
+                const RunContext& context) {
   if (compare.normal_map.empty() && compare.depth_map.empty()) return Done{};
   const auto probe = FrontProbe::build(compared.model, context);
   if (!probe) return probe.error();
   const ReliefMaps maps = probe->maps(compare.map_size);
-  const auto add = [&](const std::string& name, Result<Bytes> bytes) -> Status {
-    if (!bytes) return bytes.error();
-    files.push_back({name, std::move(*bytes)});
-    return Done{};
-  };
-  if (!compare.normal_map.empty())
-    if (Status s = add(compare.normal_map, encode_normal_map(maps)); !s) return s;
-  if (!compare.depth_map.empty())
-    if (Status s = add(compare.depth_map, encode_depth_map(maps)); !s) return s;
-  return Done{};
+  outputs.add(compare.normal_map, [&] { return encode_normal_map(maps); });
+  outputs.add(compare.depth_map, [&] { return encode_depth_map(maps); });
+  return outputs.status;
 }
 
-Result<std::vector<OutputFile>> make_files(const Compared& compared, const Drawing& drawing,
-                                           const CompareArguments& compare,
-                                           const RunContext& context) {
-  std::vector<OutputFile> files;
+Result<cli::Outputs> make_outputs(const Compared& compared, const Drawing& drawing,
+                                  const CompareArguments& compare, const RunContext& context) {
+  cli::Outputs outputs;
   for (const std::string& name : compare.models) {
     auto model = export_model(compared.model, drawing, name);
     if (!model) return model.error();
-    std::move(model->begin(), model->end(), std::back_inserter(files));
+    std::move(model->begin(), model->end(), std::back_inserter(outputs.files));
   }
-  if (Status s = add_maps(compared, compare, files, context); !s) return s.error();
-  if (!compare.preview.empty()) {
-    const cli::RenderArguments look;
-    auto picture = cli::draw_picture(compared.model, drawing, look, context);
-    if (!picture) return picture.error();
-    files.push_back({compare.preview, std::move(*picture)});
-  }
+  if (Status s = add_maps(compared, compare, outputs, context); !s) return s.error();
+  outputs.add(compare.preview, [&] {
+    return cli::draw_picture(compared.model, drawing, cli::RenderArguments{}, context);
+  });
   if (!compare.report.empty()) {
     const auto measures = measure(compared.model, compared.joined, compare.map_size, context);
     if (!measures) return measures.error();
-    files.push_back({compare.report, bytes_of(write_measures(*measures, compared, compare))});
+    outputs.add(compare.report,
+                [&] { return bytes_of(write_measures(*measures, compared, compare)); });
   }
-  return files;
+  return outputs;
 }
 
 Result<Image8> read_mask(const std::string& name) {
@@ -132,9 +122,8 @@ Status run_compare(const CompareArguments& compare, cli::Interruption& interrupt
   if (Status s = cli::check_outputs(outputs, {compare.common.input}); !s) return s;
   const auto input = read_input(compare.common.input);
   if (!input) return input.error();
-  cli::Progress progress(compare.common.quiet);
-  RunContext context{interruption.flag()};
-  progress.watch(context);
+  cli::Progress progress;
+  const RunContext context = progress.context(interruption.flag());
   auto loaded = load_scene(*input, compare.common.connect, context);
   if (!loaded) return loaded.error();
   RivalOptions options = compare.options;
@@ -145,13 +134,13 @@ Status run_compare(const CompareArguments& compare, cli::Interruption& interrupt
     loaded->files.emplace_back(compare.graft_mask);
   }
   if (Status s = cli::check_outputs(outputs, loaded->files); !s) return s;
-  cli::print_warnings(loaded->warnings, compare.common.quiet);
+  cli::print_warnings(loaded->warnings);
   const auto compared = run_method(loaded->scene, compare, options, context);
   if (!compared) return compared.error();
-  const auto files = make_files(*compared, loaded->drawing, compare, context);
-  if (!files) return files.error();
-  if (Status s = cli::save(*files, loaded->files, interruption); !s) return s;
-  for (const OutputFile& file : *files) cli::print_result(file.path.string(), compare.common.quiet);
+  const auto made = make_outputs(*compared, loaded->drawing, compare, context);
+  if (!made) return made.error();
+  if (Status s = cli::save(*made, loaded->files, interruption); !s) return s;
+  for (const OutputFile& file : made->files) cli::print_result(file.path.string());
   return Done{};
 }
 

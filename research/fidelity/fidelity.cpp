@@ -103,21 +103,26 @@ bool study(const char* name, int vertices) {
   layer_options.attach = false;  // as in the paper
   const auto mesh = relief::layer_parts(drawing->scene, layer_options);
   if (!mesh) return false;
+  const relief::Discretisation operators = relief::discretise(*mesh);
+  const relief::SurfaceInput surface{*mesh, operators, drawing->scene};
+  relief::PoissonSystem poisson(*mesh, operators, Refactorisation::complete, {});
   std::vector<Surface> approximate;
   for (const Robin& robin : robins) {
-    auto inflation = relief::inflate(*mesh, drawing->scene, {robin.alpha0, robin.rho});
+    auto inflation = relief::inflate(surface, {robin.alpha0, robin.rho}, poisson);
     if (!inflation) return false;
     relief::OrderingOptions as_in_paper;
     as_in_paper.straight_limbs = as_in_paper.close_caps = false;
-    auto ordering = relief::order_depth(*mesh, *inflation, drawing->scene, as_in_paper);
+    relief::OrderingSystem system;
+    auto ordering = relief::order_depth(surface, *inflation, as_in_paper, system);
     if (!ordering) return false;
     approximate.push_back({*inflation, *ordering});
   }
-  const auto start = relief::inflate(*mesh, drawing->scene, {});
+  const auto start = relief::inflate(surface, {}, poisson);
   for (const double lambda : lambdas) {
     relief::NonlinearOptions options;
     options.lambda_bnd = lambda;
-    const auto solution = relief::solve_nonlinear(*mesh, drawing->scene, *start, options);
+    relief::OrderingSystem system;
+    const auto solution = relief::solve_nonlinear(surface, *start, options, {}, system);
     if (!solution) return false;
     const Surface exact{solution->inflation, solution->ordering};
     for (size_t i = 0; i < approximate.size(); ++i) {

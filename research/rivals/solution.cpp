@@ -54,7 +54,7 @@ Result<Model> model_of(const Solution& solution, const Scene& scene, const RunCo
   relief::hide_sheets({solution.mesh, solution.discretisation, scene}, flaps, inflation, ordering,
                       context);
   if (context.cancelled()) return interrupted_error();
-  return relief::assemble_model(solution.mesh, inflation, ordering, scene, {}, context);
+  return relief::assemble_model({solution.mesh, inflation, ordering, scene}, {}, context);
 }
 
 }  // namespace relievo::research

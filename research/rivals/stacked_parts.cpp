@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "relief/session/build_relief.h"
+#include "relief/surface/assemble_model.h"
 #include "research/rivals/rival.h"
 #include "research/rivals/separate_parts.h"
 #include "research/rivals/solution.h"
@@ -46,8 +47,8 @@ Result<Model> reconstruct_ours(const RivalInput& input, const RunContext& contex
   options.layers.edge_length = input.joined.edge_length;
   const auto relief = relief::build_relief(input.scene, options, context);
   if (!relief) return relief.error();
-  return assemble_model(relief->layers, relief->inflation, relief->ordering, input.scene, {},
-                        context);
+  return relief::assemble_model({relief->layers, relief->inflation, relief->ordering, input.scene},
+                                {}, context);
 }
 
 Result<Model> reconstruct_with_firm_ends(const RivalInput& input, const RunContext& context) {

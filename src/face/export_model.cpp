@@ -44,7 +44,9 @@ Result<Files> encode_as(const fs::path& path, const Model& model, const Drawing&
   if (ending == ".ply") return single(path, encode_ply(model, texture, size));
   if (ending == ".stl") return single(path, encode_stl(model, size, options.standing));
   if (ending == ".glb") return single(path, encode_glb(model, texture, size));
+#ifndef __EMSCRIPTEN__  // a page packs the files of threemf_entries itself
   if (ending == ".3mf") return single(path, encode_3mf(model, texture, options));
+#endif
   if (ending == ".usdz") return single(path, encode_usdz(model, texture, size));
   if (ending == ".html") return single(path, encode_html(model, texture, path.stem().string()));
   return Error{ErrorCode::usage, "must end in .glb, .obj, .ply, .stl, .3mf, .usdz or .html",

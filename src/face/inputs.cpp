@@ -33,10 +33,6 @@ constexpr double vector_texture_side = 2048;
 /// Longest side of a vector drawing without fills whose lines are searched for parts, px.
 constexpr double line_art_side = 1600;
 
-std::string_view text_of(const Bytes& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 /// Finds the parts that the lines of a drawing without fills enclose, as `segment` does; nothing if
 /// there are none.
 std::optional<SceneInput> load_line_art(const InputFile& input,

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <future>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/files/file_kind.h"
@@ -15,6 +16,11 @@
 #include "understanding/marks/layered_drawing.h"
 
 namespace relievo {
+
+/// Returns a view of the content of a file as text.
+inline std::string_view text_of(ByteView bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 struct InputFile {
   std::string name;  ///< as given; "-" is standard input

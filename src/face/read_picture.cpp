@@ -5,10 +5,11 @@
 #include <map>
 #include <utility>
 
-#include "face/inputs.h"
 #include "io/files/number_text.h"
+#include "io/files/paths.h"
 #include "io/image/animation.h"
 #include "io/image/decode_image.h"
+#include "relievo/read.h"
 #include "understanding/labels/segment_drawing.h"
 #include "understanding/scene/understand_drawing.h"
 
@@ -45,6 +46,11 @@ std::string advice(const understanding::SegmentationRecord& record, const std::s
          " --scribbles strokes.png, or in the editor";
 }
 
+DrawnScene drawn(SceneInput input) {
+  return {std::move(input.scene), std::move(input.drawing), std::move(input.files),
+          std::move(input.warnings), input.proposed};
+}
+
 }  // namespace
 
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
@@ -78,6 +84,24 @@ Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunC
   if (std::string warning = first_frame_warning(input.bytes); !warning.empty())
     loaded->warnings.push_back(std::move(warning));
   return loaded;
+}
+
+Result<DrawnScene> read_drawing(const std::filesystem::path& path, const RunContext& context) {
+  const auto file = read_input(path.string());
+  if (!file) return file.error();
+  auto input = load_scene(*file, true, context);
+  if (!input) return input.error();
+  return drawn(std::move(*input));
+}
+
+Result<DrawnScene> understand_picture(const std::filesystem::path& path,
+                                      const RunContext& context) {
+  const auto file = read_input(path.string());
+  if (!file) return file.error();
+  auto input = read_picture(*file, true, context);
+  if (!input) return in_file(input.error(), file->name);
+  input->files = {path};
+  return drawn(std::move(*input));
 }
 
 }  // namespace relievo

@@ -1,8 +1,5 @@
 #include "relievo/session.h"
 
-#include <cmath>
-#include <utility>
-
 #include "face/solid_of.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/image/image_size.h"
@@ -112,13 +109,13 @@ Result<Model> Session::model(const ModelOptions& options, Field field,
   if (!state_->built) return nothing_built;
   const relief::Relief& relief = state_->session.relief();
   if (field == Field::relief)
-    return relief::assemble_model(relief.layers, relief.inflation, relief.ordering, state_->scene,
+    return relief::assemble_model({relief.layers, relief.inflation, relief.ordering, state_->scene},
                                   options, context);
   relief::Relief shown;
   shown.inflation = relief.inflation;
   shown.ordering = relief.ordering;
   relief::keep_field(shown, field);
-  return relief::assemble_model(relief.layers, shown.inflation, shown.ordering, state_->scene,
+  return relief::assemble_model({relief.layers, shown.inflation, shown.ordering, state_->scene},
                                 options, context);
 }
 
@@ -126,7 +123,7 @@ Result<ReliefMaps> Session::maps(int longest, const RunContext& context) const {
   if (!state_->built) return nothing_built;
   const relief::Relief& relief = state_->session.relief();
   const ImageSize size = fitted_size(state_->scene.width, state_->scene.height, longest);
-  return relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering, state_->scene,
+  return relief::rasterize_relief({relief.layers, relief.inflation, relief.ordering, state_->scene},
                                   size.width, size.height, context);
 }
 

@@ -8,11 +8,10 @@ namespace relievo {
 
 Result<Solid> solid_of(const relief::Relief& relief, const Scene& scene, const Drawing& drawing,
                        const SolidOptions& options, const RunContext& context) {
-  const auto sheet = relief::assemble_visible_sheet(relief.layers, relief.inflation,
-                                                    relief.ordering, scene, {}, context);
+  const relief::SolvedSurface surface{relief.layers, relief.inflation, relief.ordering, scene};
+  const auto sheet = relief::assemble_visible_sheet(surface, {}, context);
   if (!sheet) return sheet.error();
-  const auto limbs = relief::assemble_limbs(relief.layers, relief.inflation, relief.ordering, scene,
-                                            options.mirror, context);
+  const auto limbs = relief::assemble_limbs(surface, options.mirror, context);
   if (!limbs) return limbs.error();
   return make_solid(*sheet, *limbs, drawing, options);
 }

@@ -3,7 +3,6 @@
 #include <meshoptimizer.h>
 
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace relievo {

@@ -1,7 +1,6 @@
 #include "render/shading.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 

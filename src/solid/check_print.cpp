@@ -1,12 +1,14 @@
 #include "solid/check_print.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <numbers>
 #include <utility>
 
+#include "kernel/geometry/clipper_paths.h"
 #include "relievo/solid.h"
 #include "solid/level_cuts.h"
 
@@ -29,29 +31,7 @@ constexpr double opening_slack = 0.1;  ///< share of an opening's radius within 
 using ByPart = std::map<int, double>;
 
 Paths grown(const Paths& paths, double mm) {
-  ClipperLib::ClipperOffset offset(2, 0.01 * cut_steps);
-  offset.AddPaths(paths, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
-  Paths result;
-  offset.Execute(result, mm * cut_steps);
-  return result;
-}
-
-/// Combines paths into pieces, each an outer ring with the rings of its holes.
-std::vector<Paths> pieces_of(ClipperLib::ClipType operation, const Paths& subject,
-                             const Paths& clip) {
-  ClipperLib::Clipper clipper;
-  clipper.AddPaths(subject, ClipperLib::ptSubject, true);
-  clipper.AddPaths(clip, ClipperLib::ptClip, true);
-  ClipperLib::PolyTree tree;
-  clipper.Execute(operation, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  std::vector<Paths> pieces;
-  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr;
-       node = node->GetNext()) {
-    if (node->IsHole()) continue;
-    Paths& piece = pieces.emplace_back(1, node->Contour);
-    for (const ClipperLib::PolyNode* hole : node->Childs) piece.push_back(hole->Contour);
-  }
-  return pieces;
+  return grow_paths(paths, mm * cut_steps, 0.01 * cut_steps);
 }
 
 /// Returns the area of a piece without its holes, mm^2.
@@ -258,17 +238,8 @@ std::vector<PrintFinding> check_print(const Model& model, const std::vector<std:
 }
 
 const char* name(PrintTrouble trouble) {
-  switch (trouble) {
-    case PrintTrouble::loose:
-      return "loose";
-    case PrintTrouble::thin:
-      return "thin";
-    case PrintTrouble::neck:
-      return "neck";
-    case PrintTrouble::overhang:
-      break;
-  }
-  return "overhang";
+  constexpr std::array<const char*, 4> names = {"loose", "thin", "neck", "overhang"};
+  return names[static_cast<size_t>(trouble)];
 }
 
 double enough_size(const PrintFinding& finding, double nozzle, double size) {

@@ -67,8 +67,6 @@ Result<Regions> find_regions(const std::vector<Point2>& points, const std::vecto
   return regions;
 }
 
-Point2 as_double(GridPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
 /// The points of a rim, numbered in the order of their numbers in the field.
 struct RimPoints {
   std::vector<int> global;  ///< number in the field
@@ -80,7 +78,7 @@ RimPoints number_rim(const HeightField& field, const std::vector<Edge>& rim) {
   RimPoints points;
   for (const Edge& edge : rim) points.global.push_back(edge[0]);
   points.global.erase(std::unique(points.global.begin(), points.global.end()), points.global.end());
-  for (const int p : points.global) points.places.push_back(as_double(field.points[p]));
+  for (const int p : points.global) points.places.push_back(as_point(field.points[p]));
   const auto local = [&points](int p) {
     return static_cast<int>(std::lower_bound(points.global.begin(), points.global.end(), p) -
                             points.global.begin());
@@ -136,7 +134,7 @@ Status surround(const Outline& outline, int64_t height, int part, Point2 uv,
     for (int i = 0; i < count; ++i) {
       rim.global.push_back(static_cast<int>(field.points.size()));
       field.points.push_back({std::llround(ring[i].x), std::llround(ring[i].y)});
-      rim.places.push_back(as_double(field.points.back()));
+      rim.places.push_back(as_point(field.points.back()));
       lines.push_back({{first + i, first + (i + 1) % count}, 0});
     }
   }

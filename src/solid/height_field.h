@@ -15,6 +15,9 @@ struct GridPoint {
   friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
+/// Returns a point in floating point.
+inline Point2 as_point(GridPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
 /// A point of the floor that heights are counted from.
 struct FloorPoint {
   int64_t height = 0;  ///< grid steps above the plate
@@ -63,5 +66,19 @@ struct FieldEdges {
 
 /// Connects triangles that share an edge over the plane. O(F log F).
 FieldEdges connect_field(const HeightField& field);
+
+/// The corners around points, as 3 * triangle + k, counter-clockwise. A point at which the field
+/// touches itself has several fans.
+struct CornerFans {
+  std::vector<int> begin;    ///< #fans + 1
+  std::vector<int> corners;  ///< those of fan i are [begin[i], begin[i + 1])
+  std::vector<char> closed;  ///< #fans; others begin and end at the field's rim
+
+  size_t size() const { return closed.size(); }
+};
+
+/// Collects the fans of all points: open ones, then closed ones, both by their first corner.
+/// Linear.
+CornerFans collect_fans(const HeightField& field, const FieldEdges& edges);
 
 }  // namespace relievo

@@ -80,8 +80,7 @@ Status soften(const FieldEdges& edges, const Neighbours& beside, int64_t soft, H
   // In units of `soft`, for numbers near 1.
   const double unit = 1 / static_cast<double>(soft);
   std::vector<Point2> places;
-  for (const GridPoint p : field.points)
-    places.push_back({unit * static_cast<double>(p.x), unit * static_cast<double>(p.y)});
+  for (const GridPoint p : field.points) places.push_back(unit * as_point(p));
   std::vector<std::array<int, 3>> triangles;
   for (const std::array<int, 3>& t : field.triangles)
     triangles.push_back(

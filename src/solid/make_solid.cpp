@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <set>
@@ -138,9 +137,7 @@ Status add_around(const SolidOptions& options, double top, int part, Point2 uv,
   Outline silhouette;
   for (const std::vector<int>& points : rim_rings(field, edges)) {
     Ring& ring = silhouette.emplace_back();
-    for (const int p : points)
-      ring.push_back(
-          {static_cast<double>(field.points[p].x), static_cast<double>(field.points[p].y)});
+    for (const int p : points) ring.push_back(as_point(field.points[p]));
   }
   auto outline = plate_outline(silhouette, options, 1 / field.unit);
   if (!outline) return outline.error();

@@ -18,9 +18,4 @@ Result<Solid> make_solid(const relief::VisibleSheet& given,
                          const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
                          const SolidOptions& options);
 
-inline Result<Solid> make_solid(const relief::VisibleSheet& given, const Drawing& drawing,
-                                const SolidOptions& options) {
-  return make_solid(given, {}, drawing, options);
-}
-
 }  // namespace relievo

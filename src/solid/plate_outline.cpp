@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <polyclipping/clipper.hpp>
 
+#include "kernel/geometry/clipper_paths.h"
 #include "kernel/geometry/polygon.h"
 
 namespace relievo {
@@ -16,7 +16,7 @@ using ClipperLib::Paths;
 constexpr double arc_tolerance = 0.02;  ///< mm between a circle and its chords, at most
 constexpr double hole_wall = 1.5;       ///< mm of plate around a hole, at least
 
-Paths to_paths(const Outline& outline) {
+Paths on_grid(const Outline& outline) {
   Paths paths;
   for (const Ring& ring : outline) {
     Path& path = paths.emplace_back();
@@ -25,22 +25,12 @@ Paths to_paths(const Outline& outline) {
   return paths;
 }
 
-Paths combine(ClipperLib::ClipType operation, const Paths& subject, const Paths& clip) {
-  ClipperLib::Clipper clipper;
-  clipper.StrictlySimple(true);
-  clipper.AddPaths(subject, ClipperLib::ptSubject, true);
-  clipper.AddPaths(clip, ClipperLib::ptClip, true);
-  Paths result;
-  clipper.Execute(operation, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return result;
+Paths combined(ClipperLib::ClipType operation, const Paths& subject, const Paths& clip) {
+  return combine(operation, subject, clip, ClipperLib::pftNonZero, true);
 }
 
 Paths offset(const Paths& paths, double distance, double mm) {
-  ClipperLib::ClipperOffset grower(2, arc_tolerance * mm);
-  grower.AddPaths(paths, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
-  Paths result;
-  grower.Execute(result, distance);
-  return combine(ClipperLib::ctUnion, result, {});
+  return combined(ClipperLib::ctUnion, grow_paths(paths, distance, arc_tolerance * mm), {});
 }
 
 Path circle(Point2 centre, double radius, double mm) {
@@ -90,7 +80,7 @@ Paths plate(const Outline& silhouette, const SolidOptions& options, double mm) {
   if (options.base == BaseShape::plate) return rectangle(box, options, mm);
   if (options.base == BaseShape::round)
     return disc(silhouette, 0.5 * (box.min + box.max), options.margin * mm, mm);
-  return without_holes(offset(to_paths(silhouette), options.margin * mm, mm));
+  return without_holes(offset(on_grid(silhouette), options.margin * mm, mm));
 }
 
 /// Returns a high point of the paths; distance from the middle counts half as much as height.
@@ -112,13 +102,13 @@ Point2 as_point(const ClipperLib::IntPoint& p) {
 Status drill(const Outline& silhouette, double diameter, double mm, Paths& plate) {
   const Box2 box = bounding_box(silhouette);
   const double clear = (0.5 * diameter + hole_wall) * mm;
-  const Paths room = combine(ClipperLib::ctDifference, offset(plate, -clear, mm),
-                             offset(to_paths(silhouette), clear, mm));
+  const Paths room = combined(ClipperLib::ctDifference, offset(plate, -clear, mm),
+                              offset(on_grid(silhouette), clear, mm));
   if (room.empty())
     return Error{ErrorCode::usage,
                  "the base has no room for the hole; use a wider margin, or a ring", "--hole"};
   const Point2 centre = as_point(top_of(room, 0.5 * (box.min.x + box.max.x)));
-  plate = combine(ClipperLib::ctDifference, plate, {circle(centre, 0.5 * diameter * mm, mm)});
+  plate = combined(ClipperLib::ctDifference, plate, {circle(centre, 0.5 * diameter * mm, mm)});
   return Done{};
 }
 
@@ -128,8 +118,8 @@ void add_loop(const Outline& silhouette, double diameter, double mm, Paths& plat
   const Point2 top = as_point(top_of(plate, 0.5 * (box.min.x + box.max.x)));
   const double radius = 0.5 * diameter * mm;
   const Point2 centre{top.x, top.y + radius};
-  plate = combine(ClipperLib::ctUnion, plate, {circle(centre, radius + hole_wall * mm, mm)});
-  plate = combine(ClipperLib::ctDifference, plate, {circle(centre, radius, mm)});
+  plate = combined(ClipperLib::ctUnion, plate, {circle(centre, radius + hole_wall * mm, mm)});
+  plate = combined(ClipperLib::ctDifference, plate, {circle(centre, radius, mm)});
 }
 
 }  // namespace

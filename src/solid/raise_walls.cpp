@@ -1,12 +1,10 @@
 #include "solid/raise_walls.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
-#include "kernel/meshing/triangulate.h"
 #include "solid/field_rim.h"
 
 namespace relievo {

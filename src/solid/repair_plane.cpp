@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "solid/corner_fans.h"
-
 namespace relievo {
 namespace {
 
@@ -202,9 +200,7 @@ void pull_in(const CornerFans& fans, size_t f, double gap, HeightField& field) {
     for (const int side : {1, 2}) {
       const int corner = fans.corners[i];
       const GridPoint to = field.place(field.triangles[corner / 3][(corner % 3 + side) % 3]);
-      inwards = inwards +
-                1 / length(from, to) *
-                    Point2{static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
+      inwards = inwards + 1 / length(from, to) * (as_point(to) - as_point(from));
     }
   if (norm(inwards) == 0) return;
   for (double step = gap; step >= 2; step /= 2) {

@@ -1,9 +1,6 @@
 #include "solid/settle_heights.h"
 
 #include <algorithm>
-#include <utility>
-
-#include "solid/corner_fans.h"
 
 namespace relievo {
 namespace {

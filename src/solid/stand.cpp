@@ -234,9 +234,7 @@ class StandBuilder {
 
   Status triangulate_plate() {
     std::vector<Point2> places;
-    for (const int p : plate_)
-      places.push_back(
-          {static_cast<double>(field_.points[p].x), static_cast<double>(field_.points[p].y)});
+    for (const int p : plate_) places.push_back(as_point(field_.points[p]));
     const auto mesh = triangulate(places, lines_);
     if (!mesh) return mesh.error();
     const auto first = static_cast<int>(field_.vertex_point.size());

@@ -130,8 +130,9 @@ class GroundTruth : public ::testing::Test {
     const auto relief = relief::build_relief(scene, options);
     EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
     if (!relief.ok()) return {};
-    auto maps = relief::rasterize_relief(relief->layers, relief->inflation, relief->ordering, scene,
-                                         character.labels.width, character.labels.height);
+    auto maps =
+        relief::rasterize_relief({relief->layers, relief->inflation, relief->ordering, scene},
+                                 character.labels.width, character.labels.height);
     EXPECT_TRUE(maps.ok());
     return maps.ok() ? std::move(*maps) : ReliefMaps();
   }

@@ -46,8 +46,9 @@ Image<double> front_heights(const Model& model) {
 /// Where the model with what is hidden lies more than 0.1 pixels in front of the one without.
 int pixels_in_front(const DrawnRelief& drawn) {
   const auto heights = [&](Visibility visibility) {
-    const auto model = relief::assemble_model(drawn.relief.layers, drawn.relief.inflation,
-                                              drawn.relief.ordering, drawn.scene, {visibility});
+    const auto model = relief::assemble_model(
+        {drawn.relief.layers, drawn.relief.inflation, drawn.relief.ordering, drawn.scene},
+        {visibility});
     EXPECT_TRUE(model.ok());
     return front_heights(*model);
   };

@@ -15,8 +15,9 @@ using namespace testing;
 double silhouette_overlap(const DrawnRelief& drawn) {
   const int width = static_cast<int>(drawn.scene.width);
   const int height = static_cast<int>(drawn.scene.height);
-  const auto maps = relief::rasterize_relief(drawn.relief.layers, drawn.relief.inflation,
-                                             drawn.relief.ordering, drawn.scene, width, height);
+  const auto maps = relief::rasterize_relief(
+      {drawn.relief.layers, drawn.relief.inflation, drawn.relief.ordering, drawn.scene}, width,
+      height);
   EXPECT_TRUE(maps.ok());
   if (!maps.ok()) return 0;
   double both = 0;

@@ -37,8 +37,8 @@ SolidOptions figure_with(std::vector<std::string> limbs, BackSide back = BackSid
 /// A figure of a scene whose relief is given.
 Result<Solid> figure_of(const Scene& scene, const relief::Relief& relief,
                         const SolidOptions& options, const Drawing& drawing = {}) {
-  const auto limbs = relief::assemble_limbs(relief.layers, relief.inflation, relief.ordering, scene,
-                                            options.mirror);
+  const auto limbs = relief::assemble_limbs(
+      {relief.layers, relief.inflation, relief.ordering, scene}, options.mirror);
   if (!limbs) return limbs.error();
   return make_solid(sheet_of(scene, relief), *limbs, drawing, options);
 }
@@ -220,7 +220,7 @@ TEST_P(RandomMirror, IsOneSolidWithTheFigure) {
   for (const Join& join : scene.joins) {
     const std::string& id = scene.parts[join.upper].id;
     const auto limb =
-        relief::assemble_limbs(relief->layers, relief->inflation, relief->ordering, scene, {id});
+        relief::assemble_limbs({relief->layers, relief->inflation, relief->ordering, scene}, {id});
     if (limb)
       limbs.push_back(id);
     else

@@ -13,6 +13,16 @@
 #include "relief/surface/assemble_model.h"
 #include "solid/make_solid.h"
 
+namespace relievo {
+
+/// Makes a solid without mirrored limbs.
+inline Result<Solid> make_solid(const relief::VisibleSheet& sheet, const Drawing& drawing,
+                                const SolidOptions& options) {
+  return make_solid(sheet, {}, drawing, options);
+}
+
+}  // namespace relievo
+
 namespace relievo::testing {
 
 /// The drawings of a folder that have layers, SVG or a folder of pictures with their list, by name;
@@ -29,7 +39,7 @@ inline std::vector<std::string> drawings_in(const std::string& folder) {
 
 inline relief::VisibleSheet sheet_of(const Scene& scene, const relief::Relief& relief) {
   auto sheet =
-      relief::assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering, scene, {});
+      relief::assemble_visible_sheet({relief.layers, relief.inflation, relief.ordering, scene}, {});
   EXPECT_TRUE(sheet.ok()) << (sheet.ok() ? "" : to_string(sheet.error()));
   return sheet.ok() ? std::move(*sheet) : relief::VisibleSheet{};
 }

@@ -231,8 +231,8 @@ void set_linear_heights(DiscRelief& relief, LinearField u, LinearField g) {
 }
 
 Model assemble(const DiscRelief& relief, const ModelOptions& options) {
-  auto model =
-      assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene, options);
+  auto model = relief::assemble_model(
+      {relief.mesh, relief.inflation, relief.ordering, relief.scene}, options);
   EXPECT_TRUE(model.ok()) << to_string(model.error());
   return model.ok() ? std::move(*model) : Model{};
 }

@@ -4,6 +4,7 @@
 
 #include "relief/session/build_relief.h"
 #include "support/nonlinear_program.h"
+#include "support/solve_once.h"
 
 namespace relievo::testing {
 

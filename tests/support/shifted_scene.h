@@ -8,6 +8,7 @@
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/ordering/order_depth.h"
+#include "support/solve_once.h"
 
 namespace relievo::testing {
 

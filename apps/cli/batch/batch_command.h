@@ -1,12 +1,12 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
+
 #include "apps/cli/arguments.h"
-#include "apps/cli/interruption.h"
-#include "relievo/result.h"
 
 namespace relievo::cli {
 
-/// Builds a batch. Goes on if a drawing fails. Returns the exit code of the worst failure, or 0.
-Result<int> run_batch(const BatchArguments& batch, Interruption& interruption);
+/// Adds the command `batch`, which becomes `chosen` if the command line names it.
+void add_batch(CLI::App& main, Command& chosen);
 
 }  // namespace relievo::cli

@@ -1,31 +1,116 @@
 #include "apps/cli/batch/jobs.h"
 
 #include <algorithm>
-#include <array>
+#include <filesystem>
 #include <map>
+#include <set>
+#include <sstream>
+#include <string>
 
-#include "apps/cli/batch/manifest.h"
 #include "apps/cli/batch/passed_over.h"
 #include "apps/cli/batch/sheet_page.h"
 #include "apps/cli/build_arguments.h"
 #include "apps/cli/outputs.h"
+#include "kernel/base/text_rules.h"
+#include "relievo/files.h"
 
 namespace relievo::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// A drawing of a batch.
+struct ListedDrawing {
+  fs::path input;
+  fs::path name;       ///< of its outputs: as in the table, or the input's with extension
+  bool named = false;  ///< whether a table gives the name
+  std::vector<std::string> words;  ///< options of `build` for this drawing
+  std::string where;               ///< file and line of a table; empty: none
+};
+
+std::vector<std::string> split(const std::string& line, char between) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, between);) cells.push_back(cell);
+  return cells;
+}
+
+std::vector<std::string> option_words(const std::string& column, const std::string& cell) {
+  std::vector<std::string> words = {"--" + column};
+  if (cell == "yes") return words;
+  for (const std::string& value : split(cell, ' '))
+    if (!value.empty()) words.push_back(value);
+  return words;
+}
+
+Result<ListedDrawing> read_row(const std::vector<std::string>& columns, const std::string& line,
+                               const fs::path& folder, const std::string& where) {
+  const std::vector<std::string> cells = split(line, '\t');
+  const auto bad = [&where](const std::string& what) {
+    return Error{ErrorCode::bad_input, what, where};
+  };
+  if (cells.size() > columns.size()) return bad("has more cells than columns");
+  ListedDrawing row;
+  row.where = where;
+  for (size_t k = 0; k < cells.size(); ++k) {
+    if (cells[k].empty()) continue;
+    if (columns[k] == "input") {
+      row.input = folder / cells[k];
+    } else if (columns[k] == "name") {
+      if (!is_path_inside(cells[k]))
+        return bad("\"" + cells[k] + "\" cannot be a name: it leads out of the output folder");
+      row.name = cells[k];
+      row.named = true;
+    } else {
+      const auto words = option_words(columns[k], cells[k]);
+      row.words.insert(row.words.end(), words.begin(), words.end());
+    }
+  }
+  if (row.input.empty()) return bad("has no input");
+  if (!row.named) row.name = row.input.filename();
+  return row;
+}
+
+/// Reads a table of drawings: lines of cells separated by tabs. The first line names the columns:
+/// `input`, a path relative to the table's folder; `name`, that of the outputs; and options of
+/// `build` without their dashes. An empty cell leaves an option out, `yes` sets an option without a
+/// value, and several values are separated by blanks. Lines that are empty or begin with # are
+/// ignored. Errors: `file`; `bad_input`, whose `where` is the file and the line.
+Result<std::vector<ListedDrawing>> read_table(const fs::path& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  std::vector<ListedDrawing> rows;
+  std::vector<std::string> columns;
+  int number = 0;
+  for (std::string line : split(text, '\n')) {
+    ++number;
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.empty() || line.front() == '#') continue;
+    const std::string where = path.string() + ":" + std::to_string(number);
+    if (columns.empty()) {
+      columns = split(line, '\t');
+      if (std::find(columns.begin(), columns.end(), "input") == columns.end())
+        return Error{ErrorCode::bad_input,
+                     "the first line must name the columns, and one must be \"input\"", where};
+      continue;
+    }
+    auto row = read_row(columns, line, path.parent_path(), where);
+    if (!row) return row.error();
+    rows.push_back(std::move(*row));
+  }
+  if (rows.empty()) return Error{ErrorCode::bad_input, "lists no drawings", path.string()};
+  return rows;
+}
+
 /// Checks for the extension of a drawing. Scene files must be named one by one, since other files
 /// end in .json too.
 bool is_drawing(const fs::path& path) {
-  static const std::array<const char*, 12> endings = {".svg",  ".ora",  ".psd",  ".png",
-                                                      ".jpg",  ".jpeg", ".gif",  ".webp",
-                                                      ".avif", ".heic", ".heif", ".relievo"};
-  std::string ending = path.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return std::any_of(endings.begin(), endings.end(),
-                     [&](const char* known) { return ending == known; });
+  static const std::set<std::string> endings = {".svg",  ".ora",  ".psd",  ".png",
+                                                ".jpg",  ".jpeg", ".gif",  ".webp",
+                                                ".avif", ".heic", ".heif", ".relievo"};
+  return endings.count(lower_case(path.extension().string())) > 0;
 }
 
 bool is_layer_folder(const fs::path& path) {
@@ -64,7 +149,7 @@ Status find_inputs(const std::string& input, FoundFiles& found) {
   const fs::path path(input);
   std::error_code code;
   if (path.extension() == ".tsv") {
-    const auto rows = read_manifest(path);
+    const auto rows = read_table(path);
     if (!rows) return rows.error();
     found.drawings.insert(found.drawings.end(), rows->begin(), rows->end());
     return Done{};
@@ -101,20 +186,16 @@ std::vector<std::string> output_words(const BatchArguments& batch, const std::st
     if (!has(batch.words, "--preview-size"))
       words.insert(words.end(), {"--preview-size", std::to_string(sheet_size)});
   }
+  static const std::set<std::string> maps = {"normal", "depth", "part", "occlusion"};
   for (const std::string& what : batch.make) {
-    if (what == "normal" || what == "depth" || what == "part" || what == "occlusion") {
-      words.push_back("--" + what + "-map");
-      words.push_back(stem + "-" + what + ".png");
-    } else if (what == "preview" || what == "overlay") {
-      words.push_back("--" + what);
-      words.push_back(stem + "-" + what + ".png");
-    } else if (what == "report") {
-      words.emplace_back("--report");
-      words.push_back(stem + "-report.json");
-    } else {
-      words.emplace_back("-o");
-      words.push_back(stem + "." + what);
-    }
+    if (maps.count(what) > 0)
+      words.insert(words.end(), {"--" + what + "-map", stem + "-" + what + ".png"});
+    else if (what == "preview" || what == "overlay")
+      words.insert(words.end(), {"--" + what, stem + "-" + what + ".png"});
+    else if (what == "report")
+      words.insert(words.end(), {"--report", stem + "-report.json"});
+    else
+      words.insert(words.end(), {"-o", stem + "." + what});
   }
   return words;
 }

@@ -1,6 +1,5 @@
 #include "apps/cli/batch/journal.h"
 
-#include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -8,7 +7,6 @@
 #include <cerrno>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <utility>
 
 #include "relievo/files.h"
 
@@ -102,41 +100,29 @@ Result<JournalEntries> read_journals(const fs::path& folder) {
   return entries;
 }
 
-Journal::Journal(Journal&& other) noexcept
-    : file_(std::exchange(other.file_, -1)), path_(std::move(other.path_)) {}
-
-Journal& Journal::operator=(Journal&& other) noexcept {
-  std::swap(file_, other.file_);
-  std::swap(path_, other.path_);
-  return *this;
-}
-
-Journal::~Journal() {
-  if (file_ >= 0) close(file_);
-}
-
 Result<Journal> Journal::open(const fs::path& path) {
   Journal journal;
   journal.path_ = path;
-  journal.file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (journal.file_ < 0) return cannot_write(path);
-  if (flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
+  journal.stream_.reset(std::fopen(path.c_str(), "a+e"));
+  if (!journal.stream_) return cannot_write(path);
+  const int file = fileno(journal.stream_.get());
+  if (flock(file, LOCK_EX | LOCK_NB) != 0)
     return Error{ErrorCode::file, "another batch is writing it", path.string()};
   // Remove a line that a killed batch left half-written.
-  const off_t size = lseek(journal.file_, 0, SEEK_END);
+  const off_t size = lseek(file, 0, SEEK_END);
   char last = '\n';
-  if (size > 0 && pread(journal.file_, &last, 1, size - 1) == 1 && last != '\n') {
+  if (size > 0 && pread(file, &last, 1, size - 1) == 1 && last != '\n') {
     const auto bytes = read_file(path, largest_journal);
     if (!bytes) return bytes.error();
     const auto end = std::find(bytes->rbegin(), bytes->rend(), static_cast<uint8_t>('\n'));
-    if (ftruncate(journal.file_, bytes->rend() - end) != 0) return cannot_write(path);
+    if (ftruncate(file, bytes->rend() - end) != 0) return cannot_write(path);
   }
   return journal;
 }
 
 Status Journal::add(const JournalEntry& entry) {
   const std::string line = journal_line(entry);
-  const ssize_t written = write(file_, line.data(), line.size());
+  const ssize_t written = write(fileno(stream_.get()), line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return Done{};
   return cannot_write(path_);
 }

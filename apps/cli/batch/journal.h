@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,11 +44,6 @@ std::string journal_line(const JournalEntry& entry);
 /// A journal to append to. Only one process can have it open.
 class Journal {
  public:
-  Journal() = default;
-  Journal(Journal&& other) noexcept;
-  Journal& operator=(Journal&& other) noexcept;
-  ~Journal();
-
   /// Opens a journal, or creates it. Errors: `file`, also if another process has it open.
   static Result<Journal> open(const std::filesystem::path& path);
 
@@ -54,7 +51,9 @@ class Journal {
   Status add(const JournalEntry& entry);
 
  private:
-  int file_ = -1;
+  Journal() = default;
+
+  std::unique_ptr<FILE, int (*)(FILE*)> stream_{nullptr, std::fclose};
   std::filesystem::path path_;
 };
 

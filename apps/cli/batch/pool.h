@@ -1,14 +1,22 @@
 #pragma once
 
-#include <cstdint>
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "apps/cli/batch/child.h"
 #include "relievo/result.h"
 
 namespace relievo::cli {
+
+/// How a run of the program ended.
+struct TaskOutcome {
+  int code = 0;          ///< exit code, or 128 + the signal that ended it
+  std::string messages;  ///< its standard error
+  double seconds = 0;    ///< elapsed
+  double cpu_seconds = 0;
+  double peak_mb = 0;  ///< memory, 2^20 bytes
+};
 
 /// A run of the program.
 struct PoolTask {
@@ -19,14 +27,14 @@ struct PoolTask {
 struct PoolOptions {
   int processes = 1;     ///< maximum number at once
   double memory_mb = 0;  ///< for all of them
-  std::function<bool()> stopped;
+  const std::atomic<bool>& stop;
 };
 
 /// Runs the tasks in order, as many at once as `options` allow, but at least one. Calls `done` with
 /// the outcome of each task once it has ended. Reserves, for each task, its expected memory or the
 /// most that a task has used, and limits each to the whole memory. Errors: that of `done`, after
-/// which no task is started; `interrupted`; `limit` as Child::start.
+/// which no task is started; `interrupted`; `limit` if the system can start no process.
 Status run_pool(const std::vector<PoolTask>& tasks, const PoolOptions& options,
-                const std::function<Status(size_t task, ChildOutcome outcome)>& done);
+                const std::function<Status(size_t task, TaskOutcome outcome)>& done);
 
 }  // namespace relievo::cli

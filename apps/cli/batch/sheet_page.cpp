@@ -1,9 +1,9 @@
 #include "apps/cli/batch/sheet_page.h"
 
+#include <glib.h>
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <string_view>
+#include <memory>
 
 namespace relievo::cli {
 namespace {
@@ -43,19 +43,9 @@ std::string escaped(const std::string& text) {
 }
 
 std::string address(const fs::path& path) {
-  static constexpr std::string_view plain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~/";
-  std::string encoded;
-  for (const char c : path.generic_string()) {
-    if (plain.find(c) != std::string_view::npos) {
-      encoded += c;
-      continue;
-    }
-    std::array<char, 4> code{};
-    std::snprintf(code.data(), code.size(), "%%%02X", static_cast<unsigned char>(c));
-    encoded += code.data();
-  }
-  return encoded;
+  const std::unique_ptr<char, decltype(&g_free)> encoded(
+      g_uri_escape_string(path.generic_string().c_str(), "/", FALSE), g_free);
+  return encoded.get();
 }
 
 /// Returns the part of a file's path that follows the name of its drawing.

@@ -5,19 +5,12 @@
 namespace relievo::cli {
 namespace {
 
-bool begins_with(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
-
 /// Returns the words of "TEXT:{a,b}"; none if there are no braces.
 std::vector<std::string> words_in_braces(const std::string& type) {
   const size_t open = type.find('{');
   const size_t close = type.find('}');
   if (open == std::string::npos || close == std::string::npos) return {};
-  std::vector<std::string> words;
-  std::istringstream list(type.substr(open + 1, close - open - 1));
-  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
-  return words;
+  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
 }  // namespace
@@ -73,13 +66,10 @@ OptionValue value_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   OptionValue value{OptionValue::Kind::text, words_in_braces(type),
                     type.substr(type.find(':') + 1)};
-  if (begins_with(type, "INT") || begins_with(type, "FLOAT"))
-    value.kind = OptionValue::Kind::number;
+  if (type.starts_with("INT") || type.starts_with("FLOAT")) value.kind = OptionValue::Kind::number;
   if (value.words.empty()) return value;
   value.kind = OptionValue::Kind::word;
-  value.formatted.clear();
-  for (const std::string& word : value.words)
-    value.formatted += (value.formatted.empty() ? "" : "|") + word;
+  value.formatted = joined(value.words, "|");
   return value;
 }
 

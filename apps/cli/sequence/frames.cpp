@@ -1,7 +1,6 @@
 #include "apps/cli/sequence/frames.h"
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 #include <set>
 #include <utility>
@@ -11,16 +10,13 @@
 #include "io/files/paths.h"
 #include "io/image/animation.h"
 #include "io/image/decode_image.h"
+#include "io/layered/layer_files.h"
 #include "relievo/files.h"
 
 namespace relievo::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string_view text_of(const Bytes& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 bool is_blank(const Image8& sheet, const Sprite& sprite) {
   bool blank = true;
@@ -37,23 +33,6 @@ bool is_blank(const Image8& picture) {
     even &= std::equal(picture.pixels.begin(), picture.pixels.begin() + 4, &picture.pixels[i]);
   }
   return clear || even;
-}
-
-/// Compares names by the numbers in them: walk 2 comes before walk 10.
-bool before(const std::string& a, const std::string& b) {
-  const auto digits = [](const std::string& s, size_t from) {
-    size_t end = from;
-    while (end < s.size() && std::isdigit(static_cast<unsigned char>(s[end])) != 0) ++end;
-    return end - from;
-  };
-  size_t i = 0;
-  for (; i < std::min(a.size(), b.size()); ++i) {
-    const size_t m = digits(a, i);
-    const size_t n = digits(b, i);
-    if (m > 0 && n > 0 && m != n) return m < n;
-    if (a[i] != b[i]) return a[i] < b[i];
-  }
-  return a.size() < b.size();
 }
 
 Frame sprite_frame(const std::shared_ptr<const Image8>& sheet, const Sprite& sprite,
@@ -122,7 +101,7 @@ Result<Frames> frames_of_list(const InputFile& list) {
   auto sheet = read_sprite_sheet(text_of(list.bytes));
   if (!sheet) return in_file(sheet.error(), list.name);
   std::stable_sort(sheet->sprites.begin(), sheet->sprites.end(),
-                   [](const Sprite& a, const Sprite& b) { return before(a.name, b.name); });
+                   [](const Sprite& a, const Sprite& b) { return comes_before(a.name, b.name); });
   const auto file = picture_of_list(list, sheet->picture);
   if (!file) return file.error();
   auto picture = read_picture_file(*file);
@@ -147,7 +126,7 @@ Result<Frames> frames_of_grid(const InputFile& file, ImageSize cells) {
 }
 
 /// Returns the frames of an animation, named after its file and numbered from 0.
-Result<Frames> frames_of_animation(const InputFile& file) {
+Result<Frames> frames_of_animation(const InputFile& file, bool connect) {
   auto pictures = decode_frames(file.bytes);
   if (!pictures) return in_file(pictures.error(), file.name);
   Frames found;
@@ -162,8 +141,9 @@ Result<Frames> frames_of_animation(const InputFile& file) {
     frame.empty = is_blank(picture);
     frame.canvas = {picture.width, picture.height};
     const auto shared = std::make_shared<const Image8>(std::move(picture));
-    frame.load = [shared, name = file.name + ": " + frame.name](const RunContext& context) {
-      auto input = understand_flat({*shared}, name, true, context);
+    frame.load = [shared, connect,
+                  name = file.name + ": " + frame.name](const RunContext& context) {
+      auto input = understand_flat({*shared}, name, connect, context);
       return input ? std::move(input) : Result<SceneInput>(in_file(input.error(), name));
     };
     found.frames.push_back(std::move(frame));
@@ -172,10 +152,11 @@ Result<Frames> frames_of_animation(const InputFile& file) {
 }
 
 /// Returns the frames of a file that is a whole sequence; none where it is one frame.
-Result<Frames> whole_sequence(const InputFile& file, const std::optional<ImageSize>& grid) {
+Result<Frames> whole_sequence(const InputFile& file, const SequenceArguments& sequence) {
   if (!file.folder && sniff(file.bytes) == InputKind::sprites) return frames_of_list(file);
-  if (grid) return frames_of_grid(file, *grid);
-  if (!file.folder && frame_count(file.bytes) > 1) return frames_of_animation(file);
+  if (sequence.grid) return frames_of_grid(file, *sequence.grid);
+  if (!file.folder && frame_count(file.bytes) > 1)
+    return frames_of_animation(file, sequence.common.connect);
   return Frames{};
 }
 
@@ -199,7 +180,7 @@ Result<Frames> collect_frames(const SequenceArguments& sequence) {
   for (const std::string& name : sequence.inputs) {
     const auto file = read_input(name);
     if (!file) return file.error();
-    auto whole = whole_sequence(*file, sequence.grid);
+    auto whole = whole_sequence(*file, sequence);
     if (!whole) return whole;
     if (!whole->frames.empty() && sequence.inputs.size() == 1) return whole;
     if (!whole->frames.empty())

@@ -1,17 +1,20 @@
 #include "apps/cli/sequence/sequence_command.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <variant>
 
+#include "apps/cli/common_arguments.h"
 #include "apps/cli/cost.h"
-#include "apps/cli/cue_argument.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/reconstruct.h"
+#include "apps/cli/relief_arguments.h"
 #include "apps/cli/sequence/frame_maps.h"
 #include "apps/cli/sequence/frames.h"
 #include "io/files/paths.h"
@@ -25,6 +28,17 @@ namespace {
 
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
+
+constexpr const char* help =
+    R"(Makes consistent maps for the frames of an animation. All frames have the same scale and depth
+range, parts of the same name have the same number, and still parts keep their heights. The
+frames are drawings of the same size, in order, or the sprites of a sheet.
+
+Examples:
+  relievo sequence walk-*.svg -o maps
+  relievo sequence walk-*.svg -o maps --columns 5 --make colour,normal,depth,part,occlusion
+  relievo sequence walk.json -o maps
+  relievo sequence walk.png --grid 8x2 -o maps)";
 
 /// Maximum number of pixels of all frames together.
 constexpr size_t max_pixels = size_t{1} << 27;
@@ -52,8 +66,9 @@ class Animator {
     edge_length_ = relief.layers.edge_length;
     for (const std::string& warning : relief.layers.warnings) warn(frame, warning);
     for (const std::string& warning : input.warnings) warn(frame, warning);
-    auto maps = relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering,
-                                         input.scene, size.width, size.height, context);
+    auto maps =
+        relief::rasterize_relief({relief.layers, relief.inflation, relief.ordering, input.scene},
+                                 size.width, size.height, context);
     if (!maps) return maps.error();
     FrameMaps made;
     made.name = frame.name;
@@ -172,32 +187,33 @@ std::string sheet_name(const SequenceArguments& sequence, const Frames& frames) 
   return sequence.columns > 0 ? "sheet" : fs::path(frames.sheet->picture).stem().string();
 }
 
-Result<std::vector<OutputFile>> encode_all(const SequenceArguments& sequence,
-                                           const Animator& animator, const Frames& frames) {
+Outputs encode_all(const SequenceArguments& sequence, const Animator& animator,
+                   const Frames& frames) {
   const fs::path folder = sequence.output;
   const DepthScale depth = depth_scale(animator.range());
-  std::vector<OutputFile> files;
-  const auto add = [&](const Result<Picture>& picture, const std::string& name,
-                       const std::string& kind) -> Status {
-    if (!picture) return picture.error();
-    return add_file(files, folder / (name + "-" + kind + ".png"), encode(*picture, kind, depth));
+  Outputs outputs;
+  const auto add = [&](const std::string& name, const std::string& kind, auto draw) {
+    outputs.add(folder / (name + "-" + kind + ".png"), [&]() -> Result<Bytes> {
+      const Result<Picture> picture = draw();
+      if (!picture) return picture.error();
+      return encode(*picture, kind, depth);
+    });
   };
   for (const std::string& kind : sequence.make) {
     if (frames.sheet) {
-      if (Status s = add(sheet_of(animator.frames(), kind, depth, frames),
-                         sheet_name(sequence, frames), kind);
-          !s)
-        return s.error();
+      add(sheet_name(sequence, frames), kind,
+          [&] { return sheet_of(animator.frames(), kind, depth, frames); });
       continue;
     }
     for (const FrameMaps& frame : animator.frames())
-      if (Status s = add(picture_of(frame, kind, depth), frame.name, kind); !s) return s.error();
+      add(frame.name, kind, [&] { return picture_of(frame, kind, depth); });
   }
   if (sequence.columns > 0)
-    files.push_back(
-        {folder / "sheet.json", bytes_of(write_sprite_sheet(*frames.sheet, frames.sheet_size))});
-  files.push_back({folder / "sequence.json", bytes_of(report_of(animator, depth).dump(1) + "\n")});
-  return files;
+    outputs.add(folder / "sheet.json",
+                [&] { return bytes_of(write_sprite_sheet(*frames.sheet, frames.sheet_size)); });
+  outputs.add(folder / "sequence.json",
+              [&] { return bytes_of(report_of(animator, depth).dump(1) + "\n"); });
+  return outputs;
 }
 
 /// Checks that a frame has the canvas of the first one, whose size is set here (x width, y height).
@@ -249,26 +265,66 @@ Status animate(const SequenceArguments& sequence, Frames& frames, Animator& anim
   return Done{};
 }
 
-}  // namespace
-
 Status run_sequence(const SequenceArguments& sequence, Interruption& interruption) {
-  const bool quiet = sequence.common.quiet;
-  if (Status s = check_cost(sequence.relief.options, quiet); !s) return s;
+  if (Status s = check_cost(sequence.relief.options); !s) return s;
   auto frames = collect_frames(sequence);
   if (!frames) return frames.error();
-  std::optional<Progress> progress(quiet);
-  RunContext context{interruption.flag()};
-  progress->watch(context);
+  std::optional<Progress> progress(std::in_place);
+  const RunContext context = progress->context(interruption.flag());
   Animator animator(sequence);
   if (Status s = animate(sequence, *frames, animator, context); !s) return s;
   progress.reset();
-  const auto files = encode_all(sequence, animator, *frames);
-  if (!files) return files.error();
+  const Outputs outputs = encode_all(sequence, animator, *frames);
+  if (!outputs.status) return outputs.status;
   if (Status s = make_folder(sequence.output); !s) return s;
-  if (Status s = save(*files, frames->files, interruption); !s) return s;
-  print_warnings(animator.warnings(), quiet);
-  for (const OutputFile& file : *files) print_result(file.path.string(), quiet);
+  if (Status s = save(outputs, frames->files, interruption); !s) return s;
+  print_warnings(animator.warnings());
+  for (const OutputFile& file : outputs.files) print_result(file.path.string());
   return Done{};
+}
+
+ImageSize grid(const std::string& text) {
+  ImageSize cells;
+  char rest = 0;
+  const int read = std::sscanf(text.c_str(), "%dx%d%c", &cells.width, &cells.height, &rest);
+  const auto sound = [](int n) { return n >= 1 && n <= 1000; };
+  if (read != 2 || !sound(cells.width) || !sound(cells.height))
+    throw CLI::ValidationError("--grid " + text, "must be columns and rows, of the form 8x2");
+  return cells;
+}
+
+}  // namespace
+
+void add_sequence(CLI::App& main, Command& chosen) {
+  const auto sequence = std::make_shared<SequenceArguments>();
+  CLI::App& app = *main.add_subcommand("sequence", help);
+  app.add_option("INPUT", sequence->inputs,
+                 "Drawings as for build, or a sprite sheet: its list of sprites, as written by "
+                 "Aseprite or TexturePacker (.json), or its picture with --grid")
+      ->required();
+  app.add_option("-o,--output", sequence->output, "Output folder")->required();
+  app.add_option("--make", sequence->make,
+                 "Outputs for each frame, separated by commas: colour, normal, depth, part, "
+                 "occlusion (default: colour,normal,depth)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"colour", "normal", "depth", "part", "occlusion"}));
+  auto* cells = app.add_option_function<std::string>(
+      "--grid", [sequence](const std::string& text) { sequence->grid = grid(text); },
+      "Columns and rows of a sprite sheet, such as 8x2");
+  app.add_option(
+         "--columns", sequence->columns,
+         "Writes the frames on one sheet with this many columns, and a list of them (.json)")
+      ->check(CLI::Range(1, 1000))
+      ->excludes(cells);
+  app.add_option(
+         "--map-size", sequence->map_size,
+         "Longest side of the maps of drawings in px (default 1024); sprites keep their size")
+      ->check(CLI::Range(1, 8192));
+  add_normal_y(app, sequence->normal_y_down);
+  add_run_options(app, sequence->common);
+  add_connect(app, sequence->common);
+  add_relief_options(app, sequence->relief);
+  app.callback([sequence, &chosen] { chosen = command(sequence, run_sequence); });
 }
 
 }  // namespace relievo::cli

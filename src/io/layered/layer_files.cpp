@@ -142,31 +142,6 @@ Result<std::map<std::string, size_t>> read_columns(std::string_view line) {
   return columns;
 }
 
-/// Compares names with the numbers in them by value: leg2 before leg10.
-bool natural_less(const std::string& p, const std::string& q) {
-  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  size_t i = 0;
-  size_t j = 0;
-  while (i < p.size() && j < q.size()) {
-    if (!is_digit(p[i]) || !is_digit(q[j])) {
-      if (p[i] != q[j]) return p[i] < q[j];
-      ++i, ++j;
-      continue;
-    }
-    const auto number = [&](const std::string& text, size_t& at) {
-      while (at + 1 < text.size() && text[at] == '0' && is_digit(text[at + 1])) ++at;
-      const size_t start = at;
-      while (at < text.size() && is_digit(text[at])) ++at;
-      return text.substr(start, at - start);
-    };
-    const std::string a = number(p, i);
-    const std::string b = number(q, j);
-    if (a.size() != b.size()) return a.size() < b.size();
-    if (a != b) return a < b;
-  }
-  return p.size() - i != q.size() - j ? p.size() - i < q.size() - j : p < q;
-}
-
 std::string stem(const std::string& name) {
   const size_t dot = name.rfind('.');
   return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
@@ -217,6 +192,30 @@ bool are_unplaced(const std::vector<LayerFile>& layers, const ImageLimits& limit
 
 }  // namespace
 
+bool comes_before(const std::string& p, const std::string& q) {
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  size_t i = 0;
+  size_t j = 0;
+  while (i < p.size() && j < q.size()) {
+    if (!is_digit(p[i]) || !is_digit(q[j])) {
+      if (p[i] != q[j]) return p[i] < q[j];
+      ++i, ++j;
+      continue;
+    }
+    const auto number = [&](const std::string& text, size_t& at) {
+      while (at + 1 < text.size() && text[at] == '0' && is_digit(text[at + 1])) ++at;
+      const size_t start = at;
+      while (at < text.size() && is_digit(text[at])) ++at;
+      return text.substr(start, at - start);
+    };
+    const std::string a = number(p, i);
+    const std::string b = number(q, j);
+    if (a.size() != b.size()) return a.size() < b.size();
+    if (a != b) return a < b;
+  }
+  return p.size() - i != q.size() - j ? p.size() - i < q.size() - j : p < q;
+}
+
 Result<std::vector<LayerFile>> read_layer_table(std::string_view text) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
   const Fields lines = split(text, '\n');
@@ -245,7 +244,7 @@ Result<std::vector<LayerFile>> read_layer_table(std::string_view text) {
 Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names) {
   if (names.size() > max_layers)
     return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers", ""};
-  std::sort(names.begin(), names.end(), natural_less);
+  std::sort(names.begin(), names.end(), comes_before);
   std::vector<LayerFile> rows;
   for (std::string& name : names) {
     LayerFile row;

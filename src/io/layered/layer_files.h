@@ -32,8 +32,12 @@ constexpr size_t max_layers = 1000;
 /// `max_layers` rows).
 Result<std::vector<LayerFile>> read_layer_table(std::string_view text);
 
+/// Returns whether `p` comes before `q` in the natural order of names, with the numbers in them
+/// compared by value: leg2 before leg10.
+bool comes_before(const std::string& p, const std::string& q);
+
 /// Returns a layer for each picture, named as its file without extension, back to front in the
-/// natural order of the names (leg2 before leg10). Error: `limit`.
+/// natural order of the names. Error: `limit`.
 Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names);
 
 /// Most bytes of all compressed layers of a drawing together.

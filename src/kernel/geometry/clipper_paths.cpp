@@ -49,4 +49,29 @@ ClipperLib::Paths combine(ClipperLib::ClipType operation, const ClipperLib::Path
   return result;
 }
 
+std::vector<ClipperLib::Paths> pieces_of(ClipperLib::ClipType operation,
+                                         const ClipperLib::Paths& subject,
+                                         const ClipperLib::Paths& clip) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(subject, ClipperLib::ptSubject, true);
+  clipper.AddPaths(clip, ClipperLib::ptClip, true);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(operation, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  std::vector<ClipperLib::Paths> pieces;
+  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node; node = node->GetNext()) {
+    if (node->IsHole()) continue;
+    ClipperLib::Paths& piece = pieces.emplace_back(1, node->Contour);
+    for (const ClipperLib::PolyNode* hole : node->Childs) piece.push_back(hole->Contour);
+  }
+  return pieces;
+}
+
+ClipperLib::Paths grow_paths(const ClipperLib::Paths& paths, double distance, double tolerance) {
+  ClipperLib::ClipperOffset offset(2, tolerance);
+  offset.AddPaths(paths, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+  ClipperLib::Paths grown;
+  offset.Execute(grown, distance);
+  return grown;
+}
+
 }  // namespace relievo

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <polyclipping/clipper.hpp>
+#include <vector>
 
 #include "kernel/geometry/region.h"
 
@@ -27,5 +28,15 @@ ClipperLib::Paths combine(ClipperLib::ClipType operation, const ClipperLib::Path
                           const ClipperLib::Paths& clip,
                           ClipperLib::PolyFillType rule = ClipperLib::pftNonZero,
                           bool simple = false);
+
+/// Computes an operation by the non-zero rule. Returns the pieces of its result, each an outer path
+/// with the paths of its holes. O(n log n + crossings).
+std::vector<ClipperLib::Paths> pieces_of(ClipperLib::ClipType operation,
+                                         const ClipperLib::Paths& subject,
+                                         const ClipperLib::Paths& clip);
+
+/// Computes the points within a distance of closed paths, in their units; a negative distance
+/// shrinks them. Corners are round, `tolerance` from the true arc at most. O(n log n + crossings).
+ClipperLib::Paths grow_paths(const ClipperLib::Paths& paths, double distance, double tolerance);
 
 }  // namespace relievo

@@ -38,11 +38,8 @@ Region subtract(const Region& p, const Region& q) {
 }
 
 Region grow(const Region& region, double distance) {
-  ClipperLib::ClipperOffset offset(2, clipper_arc_tolerance);
-  offset.AddPaths(to_paths(region), ClipperLib::jtRound, ClipperLib::etClosedPolygon);
-  Paths result;
-  offset.Execute(result, distance * clipper_units_per_px);
-  return to_region(result);
+  return to_region(
+      grow_paths(to_paths(region), distance * clipper_units_per_px, clipper_arc_tolerance));
 }
 
 bool boxes_meet(const Box2& p, const Box2& q) {
@@ -50,17 +47,9 @@ bool boxes_meet(const Box2& p, const Box2& q) {
 }
 
 std::vector<Region> pieces(const Region& region) {
-  ClipperLib::Clipper clipper;
-  clipper.AddPaths(to_paths(region), ClipperLib::ptSubject, true);
-  ClipperLib::PolyTree tree;
-  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
   std::vector<Region> result;
-  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node; node = node->GetNext()) {
-    if (node->IsHole()) continue;
-    Paths paths = {node->Contour};
-    for (const ClipperLib::PolyNode* hole : node->Childs) paths.push_back(hole->Contour);
+  for (const Paths& paths : pieces_of(ClipperLib::ctUnion, to_paths(region), {}))
     result.push_back(to_region(paths));
-  }
   std::stable_sort(result.begin(), result.end(),
                    [](const Region& p, const Region& q) { return area(p) > area(q); });
   return result;

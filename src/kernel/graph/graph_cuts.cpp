@@ -47,17 +47,13 @@ void CutGraph::add_costs(int node, int64_t on_source_side, int64_t on_sink_side)
   sink_cost_[node] += on_sink_side;
 }
 
-void CutGraph::connect(int a, int b, int64_t forward, int64_t backward) {
+void CutGraph::add_edge(int a, int b, int64_t forward, int64_t backward) {
+  assert(forward >= 0 && backward >= 0 && a != b);
   const int arc = static_cast<int>(head_.size());
   out_[a].push_back(arc);
   out_[b].push_back(arc + 1);
   head_.insert(head_.end(), {b, a});
   left_.insert(left_.end(), {forward, backward});
-}
-
-void CutGraph::add_edge(int a, int b, int64_t forward, int64_t backward) {
-  assert(forward >= 0 && backward >= 0 && a != b);
-  connect(a, b, forward, backward);
 }
 
 bool CutGraph::measure_depths() {
@@ -93,8 +89,8 @@ int64_t CutGraph::solve() {
   for (size_t node = 0; node < source_cost_.size(); ++node) {
     const int64_t difference = sink_cost_[node] - source_cost_[node];
     flow += std::min(sink_cost_[node], source_cost_[node]);
-    if (difference > 0) connect(source_, static_cast<int>(node), difference, 0);
-    if (difference < 0) connect(static_cast<int>(node), sink_, -difference, 0);
+    if (difference > 0) add_edge(source_, static_cast<int>(node), difference, 0);
+    if (difference < 0) add_edge(static_cast<int>(node), sink_, -difference, 0);
   }
   while (measure_depths()) {
     next_.assign(out_.size(), 0);

@@ -30,7 +30,6 @@ class CutGraph {
   bool on_source_side(int node) const { return depth_[node] >= 0; }
 
  private:
-  void connect(int a, int b, int64_t forward, int64_t backward);
   /// Sets the distance, in arcs with capacity left, of each node from the source. Returns whether
   /// the sink is reached.
   bool measure_depths();

@@ -12,7 +12,6 @@
 #include "kernel/geometry/triangles.h"
 #include "kernel/operators/dissection.h"
 #include "kernel/operators/laplacian.h"
-#include "relief/layers/layered_mesh.h"
 
 namespace relievo::relief {
 namespace {

@@ -20,4 +20,18 @@ DrawnModel finish_model(Model model, Drawing drawing);
 /// coordinates and the size of the drawing stay. Linear in pixels and triangles.
 DrawnModel finish_rims(Model model, Drawing drawing);
 
+/// Gives triangles hidden behind other parts colours of their own, which the drawing does not have.
+/// The picture is the drawing, with paint carried over its rims (extend_paint), and below it the
+/// patches of hidden_patches. Texture coordinates become those of the picture, vertices between
+/// seen and hidden triangles are doubled, and no triangle counts as hidden any more. Linear in
+/// pixels and triangles.
+DrawnModel dress_hidden(Model model, Drawing drawing);
+
+/// Carries the paint, or ink, along the outline of a model over its rim. The pixels beyond the
+/// outline, those beside it that blend with paper, and narrow slivers of paper inside it get the
+/// colours further inside: surfaces are steep there, so that a fraction of a pixel shows as a broad
+/// strip of paper when the model is turned. `rgba`: 4 channels; the model's texture coordinates are
+/// on all of it. O(pixels).
+void extend_paint(const Model& model, Image8& rgba);
+
 }  // namespace relievo::relief

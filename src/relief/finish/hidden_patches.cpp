@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <numeric>
 #include <optional>
-#include <utility>
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/blur.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/diffusion.h"
+#include "kernel/image/morphology.h"
 #include "relief/finish/fill_triangle.h"
 
 namespace relievo::relief {
@@ -48,40 +48,30 @@ PixelBox box_around(const Model& model, int begin, int end, ImageSize size) {
           std::min(size.height, pixel(box.max.y, size.height) + patch_margin + 1)};
 }
 
-/// Returns the Chebyshev distance of each pixel from the pixels that are not the part's, those
-/// beyond the drawing included, at most `most`.
-Image8 depths(const Image16& front, const PixelBox& box, uint16_t part, int most) {
-  const auto [width, height] = box.size();
-  Image8 depth(width, height, 1);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      if (front.at(box.x0 + x, box.y0 + y) == part) depth.at(x, y) = static_cast<uint8_t>(most);
-  const auto get = [&depth](int x, int y) {
-    const bool inside = x >= 0 && y >= 0 && x < depth.width && y < depth.height;
-    return inside ? static_cast<int>(depth.at(x, y)) : 0;
-  };
-  const auto relax = [&](int x, int y, int step) {
-    const int least =
-        std::min({get(x + step, y), get(x - 1, y + step), get(x, y + step), get(x + 1, y + step)});
-    depth.at(x, y) = static_cast<uint8_t>(std::min(get(x, y), least + 1));
-  };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) relax(x, y, -1);
-  for (int y = height - 1; y >= 0; --y)
-    for (int x = width - 1; x >= 0; --x) relax(x, y, 1);
-  return depth;
+/// Returns the pixels of a part that are far from its outline, where it may be inked: as far as
+/// some of them are, and `ink_band` at most. The drawing's edge is an outline too. With a margin of
+/// a pixel around the box; empty if none of the part is seen.
+Image8 inner_pixels(const Image16& front, const PixelBox& box, uint16_t part) {
+  Image8 own(box.size().width + 2, box.size().height + 2, 1);
+  for (int y = box.y0; y < box.y1; ++y)
+    for (int x = box.x0; x < box.x1; ++x)
+      own.at(x - box.x0 + 1, y - box.y0 + 1) = front.at(x, y) == part ? 1 : 0;
+  for (int far = ink_band; far >= 0; --far) {
+    Image8 inner = min_filter(own, far);
+    if (std::find(inner.pixels.begin(), inner.pixels.end(), 1) != inner.pixels.end()) return inner;
+  }
+  return {};
 }
 
 /// Returns the seen colours of a part, weighted for pull_push; nothing if none of it is seen.
 std::optional<ImageF> seen_of(const Image16& front, const Image8& drawing, const PixelBox& box,
                               uint16_t part) {
-  const Image8 depth = depths(front, box, part, ink_band + 1);
-  const int deepest = *std::max_element(depth.pixels.begin(), depth.pixels.end());
-  if (deepest == 0) return std::nullopt;
-  ImageF seen(depth.width, depth.height, 4);
-  for (int y = 0; y < depth.height; ++y)
-    for (int x = 0; x < depth.width; ++x) {
-      if (depth.at(x, y) < deepest) continue;
+  const Image8 inner = inner_pixels(front, box, part);
+  if (inner.empty()) return std::nullopt;
+  ImageF seen(box.size().width, box.size().height, 4);
+  for (int y = 0; y < seen.height; ++y)
+    for (int x = 0; x < seen.width; ++x) {
+      if (inner.at(x + 1, y + 1) == 0) continue;
       const uint8_t* rgba = &drawing.at(box.x0 + x, box.y0 + y);
       for (int c = 0; c < 3; ++c) seen.at(x, y, c) = on_paper(rgba[c], rgba[3]);
       seen.at(x, y, 3) = 1;
@@ -113,6 +103,123 @@ uint8_t colour_at(const HiddenPatch& patch, Point2 place, int channel) {
   const double top = mix(rgb.at(x0, y0, channel), rgb.at(x1, y0, channel), x - x0);
   const double bottom = mix(rgb.at(x0, y1, channel), rgb.at(x1, y1, channel), x - x0);
   return static_cast<uint8_t>(std::lround(mix(top, bottom, y - y0)));
+}
+
+/// px between the drawing and the patches, so that filtering does not mix their colours.
+constexpr int tile_gap = 8;
+
+/// The x and y of a patch's top left pixel in the picture.
+using PatchPlace = std::array<int, 2>;
+
+/// Places patches on shelves below a drawing, the high ones first. `height` grows from that of the
+/// drawing to that of all.
+std::vector<PatchPlace> place_patches(const std::vector<HiddenPatch>& patches, int width,
+                                      int& height) {
+  std::vector<int> order(patches.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&patches](int a, int b) {
+    return patches[a].rgb.height > patches[b].rgb.height;
+  });
+  std::vector<PatchPlace> places(patches.size());
+  int x = width;
+  int top = height;
+  for (const int k : order) {
+    const Image8& rgb = patches[k].rgb;
+    if (x + rgb.width > width) {
+      x = 0;
+      top = height + tile_gap;
+      height = top + rgb.height;
+    }
+    places[k] = {x, top};
+    x += rgb.width + tile_gap;
+  }
+  return places;
+}
+
+void paste_patch(const Image8& rgb, PatchPlace place, Image8& rgba) {
+  const auto [left, top] = place;
+  for (int y = 0; y < rgb.height; ++y)
+    for (int x = 0; x < rgb.width; ++x) {
+      for (int c = 0; c < 3; ++c) rgba.at(left + x, top + y, c) = rgb.at(x, y, c);
+      rgba.at(left + x, top + y, 3) = 255;
+    }
+}
+
+/// Gives the hidden triangles of parts vertices of their own, on their patches.
+class PatchDresser {
+ public:
+  /// `drawing`: the size of the shrunk drawing that patches are pieces of. `uvs`: the model's
+  /// texture coordinates on the drawing; the model's own are on the picture already.
+  PatchDresser(Model& model, ImageSize drawing, ImageSize picture, const std::vector<Point2>& uvs)
+      : model_(model),
+        drawing_(drawing),
+        picture_(picture),
+        uvs_(uvs),
+        taken_(uvs.size(), 0),
+        copy_(uvs.size(), -1) {}
+
+  /// Keeps the vertices of a part's triangles up to `end`.
+  void keep(const ModelPart& part, int end) {
+    for (int t = part.first_triangle; t < end; ++t)
+      for (const int v : model_.triangles[t]) taken_[v] = 1;
+  }
+
+  void dress(const HiddenPatch& patch, PatchPlace place) {
+    const ModelPart& part = model_.parts[patch.part];
+    std::vector<int> used;
+    for (int t = part.seen_end(); t < part.end(); ++t)
+      for (int& v : model_.triangles[t]) {
+        if (copy_[v] < 0) {
+          used.push_back(v);
+          copy_[v] = own_vertex(v);
+          model_.uvs[copy_[v]] = on_patch(uvs_[v], patch, place);
+        }
+        v = copy_[v];
+      }
+    for (const int v : used) copy_[v] = -1;
+  }
+
+ private:
+  Point2 on_patch(Point2 uv, const HiddenPatch& patch, PatchPlace place) const {
+    return {(uv.x * drawing_.width - patch.x + place[0]) / picture_.width,
+            (uv.y * drawing_.height - patch.y + place[1]) / picture_.height};
+  }
+
+  /// Returns the vertex itself if no other triangles use it, else a copy.
+  int own_vertex(int vertex) {
+    if (taken_[vertex] == 0) {
+      taken_[vertex] = 1;
+      return vertex;
+    }
+    const Point3 position = model_.positions[vertex];
+    const Point3 normal = model_.normals[vertex];
+    model_.positions.push_back(position);
+    model_.normals.push_back(normal);
+    model_.uvs.emplace_back();
+    return static_cast<int>(model_.positions.size()) - 1;
+  }
+
+  Model& model_;
+  ImageSize drawing_;
+  ImageSize picture_;
+  const std::vector<Point2>& uvs_;
+  std::vector<uint8_t> taken_;  ///< by vertex of the drawing, whether triangles use it already
+  std::vector<int> copy_;       ///< by vertex of the drawing, its copy for the present part, or -1
+};
+
+/// Moves texture coordinates from the drawing to the picture and hidden triangles to their patches.
+/// `share`: of the picture's height that is the drawing.
+void dress_parts(const HiddenPatches& found, const std::vector<PatchPlace>& places,
+                 ImageSize picture, double share, Model& model) {
+  const std::vector<Point2> uvs = model.uvs;
+  for (Point2& uv : model.uvs) uv.y *= share;
+  PatchDresser dresser(model, found.drawing, picture, uvs);
+  std::vector<int> kept_end;
+  for (const ModelPart& part : model.parts) kept_end.push_back(part.end());
+  for (const HiddenPatch& patch : found.patches)
+    kept_end[patch.part] = model.parts[patch.part].seen_end();
+  for (size_t p = 0; p < model.parts.size(); ++p) dresser.keep(model.parts[p], kept_end[p]);
+  for (size_t k = 0; k < places.size(); ++k) dresser.dress(found.patches[k], places[k]);
 }
 
 }  // namespace
@@ -149,6 +256,17 @@ std::vector<uint8_t> hidden_colours(const Model& model, const HiddenPatches& pat
       }
   }
   return colours;
+}
+
+void lay_patches(const HiddenPatches& found, Model& model, Image8& rgba) {
+  if (!found.patches.empty()) {
+    const double drawn = rgba.height;
+    const std::vector<PatchPlace> places = place_patches(found.patches, rgba.width, rgba.height);
+    rgba.pixels.resize(static_cast<size_t>(rgba.width) * rgba.height * 4, 0);
+    for (size_t k = 0; k < places.size(); ++k) paste_patch(found.patches[k].rgb, places[k], rgba);
+    dress_parts(found, places, {rgba.width, rgba.height}, drawn / rgba.height, model);
+  }
+  for (ModelPart& part : model.parts) part.hidden_count = 0;
 }
 
 }  // namespace relievo::relief

@@ -33,4 +33,10 @@ HiddenPatches hidden_patches(const Model& model, const Drawing& drawing);
 /// triangles, white at others. Linear in vertices.
 std::vector<uint8_t> hidden_colours(const Model& model, const HiddenPatches& patches);
 
+/// Lays the patches below the drawing in its picture, four channels, and the hidden triangles on
+/// them: texture coordinates become those of the picture, vertices between seen and hidden
+/// triangles are doubled, and no triangle counts as hidden any more. Linear in pixels and
+/// triangles.
+void lay_patches(const HiddenPatches& found, Model& model, Image8& rgba);
+
 }  // namespace relievo::relief

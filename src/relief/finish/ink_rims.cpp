@@ -1,16 +1,12 @@
 #include "relief/finish/ink_rims.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/compose.h"
-#include "relief/finish/fill_triangle.h"
 #include "relief/finish/rim_surroundings.h"
 
 namespace relievo::relief {

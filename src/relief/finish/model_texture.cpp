@@ -1,12 +1,8 @@
 #include "relief/finish/model_texture.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "kernel/image/compose.h"
 #include "kernel/image/morphology.h"

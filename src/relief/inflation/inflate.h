@@ -25,8 +25,12 @@ Status check_fixed(const LayeredMesh& mesh, const Scene& scene, const InflationO
 Result<Inflation> inflate(const SurfaceInput& surface, const InflationOptions& options,
                           PoissonSystem& system, const RunContext& context = {});
 
-/// Makes the discretisation and the system, and inflates once.
-Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
-                          const InflationOptions& options, const RunContext& context = {});
+/// Adds w = sgn(d) sqrt(v psi^3) to f on every bump and updates the gradients of u. v is the
+/// inflation of the part alone, 0 on its outline. psi is harmonic, with the value alpha on the
+/// outline: 0 on the join. So the surface crosses the join without a change of slope, and nothing
+/// outside the bump moves. Precondition: inflate has accepted the options. O(N) and two
+/// factorisations of each bump's nodes.
+void raise_bumps(const SurfaceInput& surface, const InflationOptions& options,
+                 Inflation& inflation);
 
 }  // namespace relievo::relief

@@ -18,14 +18,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 
 #include "kernel/base/stopwatch.h"
-#include "kernel/geometry/polygon.h"
 #include "kernel/operators/laplacian.h"
 #include "relief/cues/cue_fields.h"
-#include "relief/layers/layered_mesh.h"
 
 namespace relievo::relief {
 namespace {

@@ -8,7 +8,6 @@
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
-#include "kernel/geometry/triangles.h"
 #include "kernel/operators/gradient.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
@@ -24,9 +23,7 @@ struct PoissonBoundary {
   Eigen::VectorXd diagonal;      ///< #N, added to the diagonal: Robin terms and screening
   std::vector<double> coupling;  ///< #ramp nodes, stiffness between the node and the one below it
 
-  friend bool operator==(const PoissonBoundary& a, const PoissonBoundary& b) {
-    return a.fixed == b.fixed && a.diagonal == b.diagonal && a.coupling == b.coupling;
-  }
+  friend bool operator==(const PoissonBoundary&, const PoissonBoundary&) = default;
 };
 
 /// The Poisson problem of a surface. Its matrix is analysed once, and only the part of the factor

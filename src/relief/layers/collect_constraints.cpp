@@ -236,21 +236,11 @@ class Collector {
   std::vector<DepthPair> pairs_;
 };
 
-bool may_pass(const Scene& scene, int front, int back) {
-  const int lower = std::min(front, back);
-  const int upper = std::max(front, back);
-  return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& relation) {
-    return relation.kind == RelationKind::free && !relation.range && relation.upper == upper &&
-           relation.lower == lower;
-  });
-}
-
-/// Returns the face on which the front one over triangle t may rest, or -1.
-int support(const LayeredMesh& mesh, const Scene& scene, size_t t) {
+/// Returns the face on which the front one over triangle t may rest, or -1. `free`: free_parts.
+int support(const LayeredMesh& mesh, const std::vector<std::pair<int, int>>& free, size_t t) {
   const int front = mesh.stack_begin[t + 1] - 1;
   for (int f = front - 1; f >= mesh.stack_begin[t]; --f)
-    if (mesh.flap(f) == Flap::none && !may_pass(scene, mesh.face_part[front], mesh.face_part[f]))
-      return f;
+    if (mesh.flap(f) == Flap::none && !may_cross(mesh, free, front, f)) return f;
   return -1;
 }
 
@@ -263,11 +253,12 @@ std::vector<DepthPair> collect_constraints(const SheetMesh& mesh, const Boundari
 }
 
 std::vector<DepthPair> resting_pairs(const LayeredMesh& mesh, const Scene& scene) {
+  const std::vector<std::pair<int, int>> free = free_parts(scene);
   std::vector<DepthPair> pairs;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     const int front = mesh.stack_begin[t + 1] - 1;
     if (front <= mesh.stack_begin[t] || scene.parts[mesh.face_part[front]].d < 0) continue;
-    const int below = support(mesh, scene, t);
+    const int below = support(mesh, free, t);
     if (below < 0) continue;
     for (int k = 0; k < 3; ++k) {
       const DepthPair pair{mesh.faces[below][k], mesh.faces[front][k], false};

@@ -5,17 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "kernel/geometry/polygon.h"
 #include "relief/layers/boundaries.h"
 #include "relief/layers/collect_constraints.h"
 #include "relief/layers/connect_sheets.h"
-#include "relief/layers/cover.h"
 #include "relief/layers/crease_lines.h"
-#include "relief/layers/flaps.h"
 #include "relief/layers/local_order.h"
 #include "relief/layers/mesh_spacing.h"
 #include "relief/layers/sample_outlines.h"

@@ -1,7 +1,8 @@
 #include "relief/layers/layered_mesh.h"
 
+#include <algorithm>
+
 #include "kernel/geometry/polygon.h"
-#include "kernel/geometry/triangles.h"
 
 namespace relievo::relief {
 
@@ -51,6 +52,21 @@ std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh) {
   for (size_t f = 0; f < mesh.faces.size(); ++f)
     if (!mesh.is_flap(f)) faces.push_back(mesh.faces[f]);
   return faces;
+}
+
+std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
+  std::vector<std::pair<int, int>> parts;
+  for (const Relation& relation : scene.relations)
+    if (relation.kind == RelationKind::free && !relation.range)
+      parts.push_back({relation.upper, relation.lower});
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+bool may_cross(const LayeredMesh& mesh, const std::vector<std::pair<int, int>>& free, int face,
+               int other) {
+  const auto [first, last] = std::minmax(mesh.face_part[face], mesh.face_part[other]);
+  return std::binary_search(free.begin(), free.end(), std::pair(last, first));
 }
 
 std::vector<int> joined_surfaces(const LayeredMesh& mesh) {

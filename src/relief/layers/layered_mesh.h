@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kernel/geometry/triangles.h"
 #include "relievo/point.h"
+#include "relievo/scene.h"
 
 namespace relievo::relief {
 
@@ -138,6 +140,14 @@ std::vector<std::vector<int>> faces_by_part(const LayeredMesh& mesh);
 
 /// Lists the faces that shape the surface: all but flaps. O(F).
 std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh);
+
+/// Returns the pairs of parts that a relation "free" without a range lets cross, the later part
+/// first, sorted.
+std::vector<std::pair<int, int>> free_parts(const Scene& scene);
+
+/// Checks whether two faces may cross. `free`: free_parts of the scene.
+bool may_cross(const LayeredMesh& mesh, const std::vector<std::pair<int, int>>& free, int face,
+               int other);
 
 /// Numbers the joined surface of each node, #N, by its smallest node. Near-linear.
 std::vector<int> joined_surfaces(const LayeredMesh& mesh);

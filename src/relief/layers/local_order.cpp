@@ -4,9 +4,7 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <string>
 #include <tuple>
-#include <utility>
 
 namespace relievo::relief {
 namespace {

@@ -1,11 +1,9 @@
 #include "relief/layers/mesh_spacing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "kernel/base/workers.h"
 #include "kernel/geometry/polygon.h"

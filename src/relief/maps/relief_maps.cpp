@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "relief/surface/surface_sample.h"
-
 namespace relievo::relief {
 namespace {
 
@@ -29,10 +27,11 @@ Status check_size(int width, int height) {
 
 /// Converts vertices to fixed point, `one` units a pixel, a power of two and at least 2.
 /// Differences of coordinates stay below 2^30, so edge functions fit 62 bits.
-Result<std::vector<FixedPoint>> to_fixed_point(const LayeredMesh& mesh, const Scene& scene,
-                                               int width, int height, int64_t& one) {
-  const double scale_x = width / scene.width;
-  const double scale_y = height / scene.height;
+Result<std::vector<FixedPoint>> to_fixed_point(const SolvedSurface& surface, int width, int height,
+                                               int64_t& one) {
+  const LayeredMesh& mesh = surface.mesh;
+  const double scale_x = width / surface.scene.width;
+  const double scale_y = height / surface.scene.height;
   double extent = std::max(width, height);
   for (const Point2 p : mesh.vertices)
     extent = std::max({extent, std::abs(p.x * scale_x), std::abs(p.y * scale_y)});
@@ -86,9 +85,8 @@ struct EdgeFunction {
 /// Draws front faces into maps.
 class Rasterizer {
  public:
-  Rasterizer(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
-             const std::vector<FixedPoint>& points, int64_t one)
-      : mesh_(mesh), inflation_(inflation), ordering_(ordering), points_(points), one_(one) {}
+  Rasterizer(const SolvedSurface& surface, const std::vector<FixedPoint>& points, int64_t one)
+      : surface_(surface), mesh_(surface.mesh), points_(points), one_(one) {}
 
   void allocate(int width, int height) {
     maps_.height = ImageF(width, height, 1, std::numeric_limits<float>::quiet_NaN());
@@ -121,7 +119,7 @@ class Rasterizer {
  private:
   void load_corners(int face) {
     part_ = mesh_.face_part[face];
-    for (int k = 0; k < 3; ++k) corners_[k] = corner_sample(mesh_, inflation_, ordering_, face, k);
+    for (int k = 0; k < 3; ++k) corners_[k] = corner_sample(surface_, face, k);
   }
 
   void draw_row(int y, const std::array<EdgeFunction, 3>& edges, double inverse_area) {
@@ -150,9 +148,8 @@ class Rasterizer {
     maps_.part.at(x, y) = part_;
   }
 
+  const SolvedSurface& surface_;
   const LayeredMesh& mesh_;
-  const Inflation& inflation_;
-  const Ordering& ordering_;
   const std::vector<FixedPoint>& points_;
   int64_t one_;  ///< units of points per pixel
   ReliefMaps maps_;
@@ -162,17 +159,16 @@ class Rasterizer {
 
 }  // namespace
 
-Result<ReliefMaps> rasterize_relief(const LayeredMesh& mesh, const Inflation& inflation,
-                                    const Ordering& ordering, const Scene& scene, int width,
-                                    int height, const RunContext& context) {
+Result<ReliefMaps> rasterize_relief(const SolvedSurface& surface, int width, int height,
+                                    const RunContext& context) {
   if (Status status = check_size(width, height); !status.ok()) return status.error();
-  if (Status status = check_surface(mesh, inflation, ordering, scene); !status.ok())
-    return status.error();
+  if (Status status = check_surface(surface); !status.ok()) return status.error();
   int64_t one = 0;
-  const auto points = to_fixed_point(mesh, scene, width, height, one);
+  const auto points = to_fixed_point(surface, width, height, one);
   if (!points) return points.error();
-  Rasterizer rasterizer(mesh, inflation, ordering, *points, one);
+  Rasterizer rasterizer(surface, *points, one);
   rasterizer.allocate(width, height);
+  const LayeredMesh& mesh = surface.mesh;
   const int triangles = static_cast<int>(mesh.triangles.size());
   for (int t = 0; t < triangles; ++t) {
     if (t % 1024 == 0) {

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "relief/inflation/inflation.h"
-#include "relief/layers/layered_mesh.h"
-#include "relief/ordering/ordering.h"
+#include "relief/surface/surface_sample.h"
 #include "relievo/maps.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 
@@ -14,8 +11,7 @@ namespace relievo::relief {
 /// interpolated and the root taken per pixel, so the maps are smooth at any resolution. A pixel
 /// belongs to exactly one base triangle. Fails with usage or limit, before memory is spent, if a
 /// side is not in [1, 32768] or there are more than 2^28 pixels. O(pixels + triangles).
-Result<ReliefMaps> rasterize_relief(const LayeredMesh& mesh, const Inflation& inflation,
-                                    const Ordering& ordering, const Scene& scene, int width,
-                                    int height, const RunContext& context = {});
+Result<ReliefMaps> rasterize_relief(const SolvedSurface& surface, int width, int height,
+                                    const RunContext& context = {});
 
 }  // namespace relievo::relief

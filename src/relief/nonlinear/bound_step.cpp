@@ -24,7 +24,6 @@
 #include <utility>
 
 #include "kernel/cholesky/sparse_products.h"
-#include "relief/nonlinear/shift_matrix.h"
 
 namespace relievo::relief {
 

@@ -15,8 +15,6 @@
 
 #include "relief/nonlinear/contact_step.h"
 
-#include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "kernel/cholesky/sparse_products.h"

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <vector>
 
 #include "kernel/solvers/bound_qp.h"
 #include "relief/nonlinear/nonlinear_model.h"
-#include "relief/nonlinear/shift_matrix.h"
 #include "relief/ordering/depth_system.h"
 #include "relievo/run_context.h"
 

@@ -18,7 +18,6 @@
 #include <limits>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "kernel/base/stopwatch.h"
 #include "relief/ordering/order_depth.h"

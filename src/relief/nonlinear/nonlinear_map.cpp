@@ -28,8 +28,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 
 namespace relievo::relief {
 namespace {

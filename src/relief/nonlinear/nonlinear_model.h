@@ -10,7 +10,7 @@
 #include "relief/inflation/inflation.h"
 #include "relief/nonlinear/nonlinear_solution.h"
 #include "relief/ordering/depth_forest.h"
-#include "relief/ordering/order_depth.h"
+#include "relief/ordering/depth_system.h"
 #include "relief/ordering/shift_metric.h"
 
 namespace relievo::relief {
@@ -122,5 +122,24 @@ class SmoothRoot {
   static constexpr double smallest_f = 1e-3;
   double w4_;
 };
+
+/// The shift energy 1/2 g'A g with f unknown at some free nodes F. The unknowns are those of a
+/// depth system and then y = sign f on F, #Z together: g = T (z, y) minus the known part of f.
+struct ShiftMatrix {
+  SparseMatrix T;                ///< #N x #Z
+  SparseMatrix K;                ///< T'A T, lower triangle
+  Eigen::VectorXd sign;          ///< #F, 1, or -1 if u is negative on the surface
+  Eigen::VectorXd diagonal;      ///< #F, diagonal of T'A T on F
+  std::vector<int> elimination;  ///< order of the unknowns with little fill-in
+
+  Eigen::Index heights() const { return T.cols() - diagonal.size(); }
+};
+
+/// Makes the matrix for the `nodes` (F). O(N + entries of A).
+ShiftMatrix make_shift_matrix(const NonlinearModel& model, const DepthSystem& depth,
+                              const std::vector<int>& nodes);
+
+/// Sets the diagonal of K on F to that of T'A T plus `stiffness`, #F.
+void set_stiffness(const ShiftMatrix& matrix, const Eigen::VectorXd& stiffness, SparseMatrix& K);
 
 }  // namespace relievo::relief

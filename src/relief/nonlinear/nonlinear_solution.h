@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "relief/inflation/inflation.h"
-#include "relief/ordering/depth_contacts.h"
+#include "relief/ordering/depth_system.h"
 #include "relief/ordering/ordering.h"
 #include "relievo/point.h"
 

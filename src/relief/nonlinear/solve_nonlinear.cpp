@@ -14,30 +14,111 @@
 //   B, m         NonlinearModel::bound, bound_mass
 //   eps, b       ShiftMetric
 //   y            BoundStep; sgn(y) y^2 is stored in u
+//
+// Starts of the non-linear iteration from an earlier one, on any mesh:
+//
+//   u_n    <-  u_n + rise between the marks beside n on the outline       on B
+//   phi_n  <-  phi_mark M_n / sum of M over the nodes nearest to the mark    in pairs and on B
+//
+//   letter    in the code
+//   phi, M    NonlinearState::load, NonlinearModel::mass
+//   rise      NonlinearMark::rise
 
 #include "relief/nonlinear/solve_nonlinear.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "kernel/base/workers.h"
+#include "kernel/geometry/nearest_mark.h"
 #include "relief/discretisation/discretisation.h"
-#include "relief/inflation/inflate.h"
 #include "relief/inflation/poisson_system.h"
-#include "relief/inflation/raise_bumps.h"
 #include "relief/nonlinear/nonlinear_iteration.h"
+#include "relief/nonlinear/nonlinear_map.h"
 #include "relief/nonlinear/nonlinear_model.h"
-#include "relief/nonlinear/recall.h"
-#include "relief/ordering/order_depth.h"
 
 namespace relievo::relief {
 namespace {
 
 using Eigen::VectorXd;
+
+/// Returns the nodes of pairs and of B, ascending.
+std::vector<int> marked_nodes(const LayeredMesh& mesh, const NonlinearModel& model) {
+  std::vector<int> nodes = model.bound;
+  for (const DepthPair& pair : mesh.constraints) {
+    nodes.push_back(pair.lower);
+    nodes.push_back(pair.upper);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+NonlinearMark mark_at(const LayeredMesh& mesh, int node) {
+  NonlinearMark mark;
+  mark.part = mesh.node_part[node];
+  mark.position = mesh.vertices[mesh.node_vertex[node]];
+  return mark;
+}
+
+/// Interpolates the rise between the nearest marks on outlines on both sides of `place`. Returns
+/// nothing if the part has none.
+std::optional<double> rise_at(const std::vector<NonlinearMark>& marks, const NonlinearMark& place) {
+  const auto on_outline = [](const NonlinearMark& mark) { return mark.on_outline; };
+  const auto beside = marks_beside(marks, place, on_outline);
+  if (!beside) return std::nullopt;
+  return beside->near->rise + beside->share * (beside->beyond->rise - beside->near->rise);
+}
+
+void recall_bound(const LayeredMesh& mesh, const NonlinearModel& model,
+                  const std::vector<NonlinearMark>& marks, NonlinearState& state) {
+  for (size_t i = 0; i < model.bound.size(); ++i) {
+    const int n = model.bound[i];
+    const double u = state.u[n] + rise_at(marks, mark_at(mesh, n)).value_or(0);
+    state.u[n] = model.sign[n] * u < 0 && model.lifting_gap[i] < 0 ? 0 : u;
+  }
+}
+
+/// Returns the marks of `state` at the nodes of the pairs and of B. u_start: #N, scene units.
+/// O(pairs log pairs).
+std::vector<NonlinearMark> remember(const LayeredMesh& mesh, const NonlinearModel& model,
+                                    const VectorXd& u_start, const NonlinearState& state) {
+  std::vector<NonlinearMark> marks;
+  for (const int n : marked_nodes(mesh, model)) {
+    NonlinearMark mark = mark_at(mesh, n);
+    mark.on_outline = model.inner_index[n] < 0;
+    mark.rise = state.u[n] - u_start[n];
+    mark.load = state.load[n];
+    marks.push_back(mark);
+  }
+  sort_marks(marks);
+  return marks;
+}
+
+/// Starts `state`, whose u is that of the start, from marks near its nodes on the same parts: sets
+/// u on B, and the loads of the nodes of the pairs and B, among which each mark's load is divided.
+/// Nodes of parts without marks keep their values. O(pairs log marks) unless marks are stacked
+/// above each other on the canvas.
+void recall(const LayeredMesh& mesh, const NonlinearModel& model,
+            const std::vector<NonlinearMark>& marks, NonlinearState& state) {
+  if (marks.empty()) return;
+  recall_bound(mesh, model, marks, state);
+  const std::vector<int> nodes = marked_nodes(mesh, model);
+  std::vector<const NonlinearMark*> nearest;
+  VectorXd shared = VectorXd::Zero(static_cast<Eigen::Index>(marks.size()));
+  for (const int n : nodes) {
+    nearest.push_back(nearest_mark(marks, mark_at(mesh, n)));
+    if (nearest.back() != nullptr) shared[nearest.back() - marks.data()] += model.mass[n];
+  }
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    if (nearest[i] == nullptr) continue;
+    const int n = nodes[i];
+    state.load[n] = nearest[i]->load * model.mass[n] / shared[nearest[i] - marks.data()];
+  }
+}
 
 /// Largest number of times that nodes with the wrong sign are fixed.
 constexpr int sign_rounds = 3;
@@ -116,7 +197,7 @@ class NonlinearSolver {
     const LayeredMesh& mesh = surface_.mesh;
     system_.depth.closed = gaps_like(mesh, system_.depth.forest, known_.contacts);
     find_lifting_gaps(system_.depth.forest, model_);
-    recall(mesh, model_, mesh.constraints, known_.marks, run_.state);
+    recall(mesh, model_, known_.marks, run_.state);
     if (Status status = iterate_with_gaps_fixed(options_); !status) return status;
     if (run_.report.status == SolveStatus::solved && !is_mixed(model_))
       if (Status status = release_pulling_gaps(); !status) return status;
@@ -132,7 +213,7 @@ class NonlinearSolver {
     run_.report.energy = nonlinear_energy(model_, with_signs(run_.state.u), g);
     solution.report = run_.report;
     if (run_.report.status == SolveStatus::solved)
-      solution.memory = {remember(mesh, model_, mesh.constraints, u_start_, run_.state),
+      solution.memory = {remember(mesh, model_, u_start_, run_.state),
                          contacts_of(mesh, run_.state.h)};
     return Done{};
   }
@@ -284,15 +365,6 @@ Result<NonlinearSolution> solve_nonlinear(const SurfaceInput& surface, const Inf
   if (Status status = solver.solve(solution); !status) return status.error();
   context.report("nonlinear", 1);
   return solution;
-}
-
-Result<NonlinearSolution> solve_nonlinear(const LayeredMesh& mesh, const Scene& scene,
-                                          const Inflation& start, const NonlinearOptions& options,
-                                          const RunContext& context) {
-  const Discretisation discretisation = discretise(mesh, context);
-  if (context.cancelled()) return interrupted_error();
-  OrderingSystem system;
-  return solve_nonlinear({mesh, discretisation, scene}, start, options, {}, system, context);
 }
 
 }  // namespace relievo::relief

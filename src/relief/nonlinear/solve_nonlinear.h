@@ -2,14 +2,11 @@
 
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflate.h"
-#include "relief/layers/layered_mesh.h"
 #include "relief/nonlinear/nonlinear_solution.h"
 #include "relief/ordering/order_depth.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 
@@ -40,11 +37,6 @@ struct NonlinearOptions {
 Result<NonlinearSolution> solve_nonlinear(const SurfaceInput& surface, const Inflation& start,
                                           const NonlinearOptions& options,
                                           const NonlinearMemory& known, OrderingSystem& system,
-                                          const RunContext& context = {});
-
-/// Makes the discretisation and the system, and solves once.
-Result<NonlinearSolution> solve_nonlinear(const LayeredMesh& mesh, const Scene& scene,
-                                          const Inflation& start, const NonlinearOptions& options,
                                           const RunContext& context = {});
 
 }  // namespace relievo::relief

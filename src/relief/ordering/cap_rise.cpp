@@ -20,11 +20,8 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <set>
 #include <utility>
-#include <vector>
 
-#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
 #include "relief/ordering/limb_rise.h"
 #include "relief/ordering/shift_metric.h"

@@ -9,7 +9,6 @@
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
-#include "relief/layers/layered_mesh.h"
 #include "relievo/scene.h"
 
 namespace relievo::relief {

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 #include <functional>
 #include <queue>
 #include <span>
@@ -26,23 +25,23 @@ namespace {
 
 /// Returns the inequalities between representatives of equal nodes, by group and without
 /// repetitions. `group`: #N.
-std::vector<DepthPair> inequalities(const std::vector<DepthPair>& pairs,
+std::vector<DepthEdge> inequalities(const std::vector<DepthPair>& pairs,
                                     const std::vector<int>& group, DisjointSets& equal) {
-  std::vector<DepthPair> edges;
+  std::vector<DepthEdge> edges;
   for (const DepthPair& pair : pairs) {
     const int lower = equal.find(pair.lower);
     const int upper = equal.find(pair.upper);
-    if (lower != upper) edges.push_back({lower, upper, false});
+    if (lower != upper) edges.push_back({lower, upper});
   }
-  std::sort(edges.begin(), edges.end(), [&](const DepthPair& a, const DepthPair& b) {
-    return std::tie(group[a.lower], a.lower, a.upper) < std::tie(group[b.lower], b.lower, b.upper);
+  std::sort(edges.begin(), edges.end(), [&](const DepthEdge& a, const DepthEdge& b) {
+    return std::tie(group[a.first], a) < std::tie(group[b.first], b);
   });
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 
 /// Makes the graph of edges between nodes.
-DepthGraph make_graph(std::vector<std::pair<int, int>> edges) {
+DepthGraph make_graph(std::vector<DepthEdge> edges) {
   std::vector<int> nodes;
   for (const auto& [lower, upper] : edges) {
     nodes.push_back(lower);
@@ -66,7 +65,7 @@ DepthGraph make_graph(std::vector<std::pair<int, int>> edges) {
 DepthGraph merge_cycles(const DepthGraph& graph, DisjointSets& equal) {
   const std::vector<int> component = strong_components(graph);
   for (int i = 0; i < graph.size; ++i) equal.unite(graph.nodes[i], graph.nodes[component[i]]);
-  std::vector<std::pair<int, int>> edges;
+  std::vector<DepthEdge> edges;
   for (const auto& [lower, upper] : graph.edges)
     if (component[lower] != component[upper])
       edges.push_back({equal.find(graph.nodes[lower]), equal.find(graph.nodes[upper])});
@@ -84,20 +83,19 @@ DepthGraph chain(const DepthGraph& graph, const std::vector<int>& node_part) {
 }
 
 /// Returns a tree that implies the inequalities of a group. Merges cycles in `equal`.
-DepthGraph tree_of(std::span<const DepthPair> edges, const std::vector<int>& node_part,
+DepthGraph tree_of(std::span<const DepthEdge> edges, const std::vector<int>& node_part,
                    DisjointSets& equal) {
-  std::vector<std::pair<int, int>> pairs;
-  for (const DepthPair& edge : edges) pairs.push_back({edge.lower, edge.upper});
-  DepthGraph graph = make_graph(std::move(pairs));
+  DepthGraph graph = make_graph({edges.begin(), edges.end()});
   if (graph.is_tree()) return graph;
   graph = transitive_reduction(merge_cycles(graph, equal));
   return graph.size > 0 && !graph.is_tree() ? chain(graph, node_part) : graph;
 }
 
 /// Makes the smaller node the root.
-DepthGap single_gap(const DepthPair& edge) {
-  if (edge.lower < edge.upper) return {edge.lower, edge.upper, 1, false};
-  return {edge.upper, edge.lower, -1, false};
+DepthGap single_gap(const DepthEdge& edge) {
+  const auto [lower, upper] = edge;
+  if (lower < upper) return {lower, upper, 1, false};
+  return {upper, lower, -1, false};
 }
 
 void append_gaps(const DepthGraph& tree, std::vector<DepthGap>& gaps) {
@@ -161,10 +159,10 @@ DepthForest build_depth_forest(const std::vector<int>& node_part,
   DepthForest forest;
   for (int n = 0; n < linked.size(); ++n) forest.group.push_back(linked.find(n));
 
-  const std::vector<DepthPair> edges = inequalities(pairs, forest.group, equal);
+  const std::vector<DepthEdge> edges = inequalities(pairs, forest.group, equal);
   for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    const int group = forest.group[edges[begin].lower];
-    while (end < edges.size() && forest.group[edges[end].lower] == group) ++end;
+    const int group = forest.group[edges[begin].first];
+    while (end < edges.size() && forest.group[edges[end].first] == group) ++end;
     if (end - begin == 1)
       forest.gaps.push_back(single_gap(edges[begin]));
     else

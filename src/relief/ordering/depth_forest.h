@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -33,11 +32,14 @@ struct DepthForest {
 DepthForest build_depth_forest(const std::vector<int>& node_part,
                                const std::vector<DepthPair>& pairs);
 
+/// An inequality between the lower and the upper one of two nodes or items.
+using DepthEdge = std::pair<int, int>;
+
 /// Inequalities among k items that are linked to each other, as a directed graph.
 struct DepthGraph {
-  int size = 0;                            ///< k
-  std::vector<std::pair<int, int>> edges;  ///< (lower, upper), sorted, no loops, no repetitions
-  std::vector<int> nodes{};                ///< node of each item, ascending; or empty
+  int size = 0;                  ///< k
+  std::vector<DepthEdge> edges;  ///< sorted, no loops, no repetitions
+  std::vector<int> nodes{};      ///< node of each item, ascending; or empty
 
   bool is_tree() const { return static_cast<int>(edges.size()) == size - 1; }
 };

@@ -19,14 +19,11 @@
 #include <algorithm>
 #include <map>
 #include <utility>
-#include <vector>
 
-#include "kernel/base/sparse_matrix.h"
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/operators/laplacian.h"
 #include "relief/cues/cue_fields.h"
 #include "relief/inflation/inflation.h"
-#include "relief/layers/layered_mesh.h"
 
 namespace relievo::relief {
 namespace {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
-#include "kernel/geometry/polygon.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relievo/scene.h"

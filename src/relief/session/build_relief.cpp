@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "relief/session/relief_session.h"
-#include "relievo/model.h"
 
 namespace relievo::relief {
 namespace {

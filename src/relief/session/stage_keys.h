@@ -1,15 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <cstring>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
 #include "relief/layers/layer_parts.h"
-#include "relief/session/build_relief.h"
 #include "relievo/point.h"
 #include "relievo/scene.h"
 

@@ -89,8 +89,8 @@ struct PartialRelief {
 };
 
 /// Returns the faces of some parts; all nodes stay.
-PartialRelief faces_of(const LayeredMesh& mesh, const Inflation& inflation,
-                       const Ordering& ordering, const std::vector<char>& member) {
+PartialRelief faces_of(const SolvedSurface& surface, const std::vector<char>& member) {
+  const auto& [mesh, inflation, ordering, scene] = surface;
   PartialRelief limb{mesh, inflation, ordering};
   LayeredMesh& kept = limb.mesh;
   kept.face_triangle.clear();
@@ -138,8 +138,8 @@ struct Column {
   double front = -unreached;
 };
 
-std::vector<Column> columns_of(const LayeredMesh& mesh, const Inflation& inflation,
-                               const Ordering& ordering) {
+std::vector<Column> columns_of(const SolvedSurface& surface) {
+  const auto& [mesh, inflation, ordering, scene] = surface;
   std::vector<Column> columns(mesh.vertices.size());
   for (const Triangle& face : mesh.faces)
     for (const int n : face) {
@@ -310,15 +310,15 @@ Result<int> part_named(const Scene& scene, const std::string& id) {
 
 }  // namespace
 
-Result<std::vector<LimbSheet>> assemble_limbs(const LayeredMesh& mesh, const Inflation& inflation,
-                                              const Ordering& ordering, const Scene& scene,
+Result<std::vector<LimbSheet>> assemble_limbs(const SolvedSurface& surface,
                                               const std::vector<std::string>& ids,
                                               const RunContext& context) {
+  const auto& [mesh, inflation, ordering, scene] = surface;
   std::vector<LimbSheet> limbs;
   if (ids.empty()) return limbs;
   const std::vector<double> areas = triangle_areas({mesh.vertices, mesh.triangles});
   const std::vector<double> of_parts = part_areas(mesh, areas);
-  const std::vector<Column> columns = columns_of(mesh, inflation, ordering);
+  const std::vector<Column> columns = columns_of(surface);
   for (const std::string& id : std::set<std::string>(ids.begin(), ids.end())) {
     const auto part = part_named(scene, id);
     if (!part) return part.error();
@@ -331,7 +331,7 @@ Result<std::vector<LimbSheet>> assemble_limbs(const LayeredMesh& mesh, const Inf
     double middle = 0;
     for (const int n : root.joined()) middle += ordering.g[n];
     middle /= static_cast<double>(root.joined().size());
-    PartialRelief limb = faces_of(mesh, inflation, ordering, member);
+    PartialRelief limb = faces_of(surface, member);
     raise_lowered(limb.ordering);
     const std::vector<double> depth = root.depth();
     if (in_the_middle(limb, depth, middle))
@@ -341,7 +341,7 @@ Result<std::vector<LimbSheet>> assemble_limbs(const LayeredMesh& mesh, const Inf
                    "--mirror"};
     draw_in(depth, columns, middle, limb);
     auto sheet =
-        assemble_visible_sheet(limb.mesh, limb.inflation, limb.ordering, scene, {}, context);
+        assemble_visible_sheet({limb.mesh, limb.inflation, limb.ordering, scene}, {}, context);
     if (!sheet) return sheet.error();
     limbs.push_back({id, middle, std::move(*sheet)});
   }

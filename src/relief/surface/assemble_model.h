@@ -1,13 +1,10 @@
 #pragma once
 
-#include "relief/inflation/inflation.h"
-#include "relief/layers/layered_mesh.h"
-#include "relief/ordering/ordering.h"
+#include "relief/surface/surface_sample.h"
 #include "relief/surface/visible_sheet.h"
 #include "relievo/model.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 
@@ -16,14 +13,12 @@ namespace relievo::relief {
 /// which is empty if none of its faces is kept. After vertices at one position are merged, a relief
 /// is open only along the drawing's silhouette. Fails with usage, limit (2^24 triangles) or
 /// interrupted. Near-linear in faces.
-Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
-                             const Ordering& ordering, const Scene& scene,
-                             const ModelOptions& options, const RunContext& context = {});
+Result<Model> assemble_model(const SolvedSurface& surface, const ModelOptions& options,
+                             const RunContext& context = {});
 
 /// Assembles the same triangles without walls, as Visibility::relief whatever the options say, and
 /// lists the edges where walls would stand. Fails as assemble_model. Near-linear in faces.
-Result<VisibleSheet> assemble_visible_sheet(const LayeredMesh& mesh, const Inflation& inflation,
-                                            const Ordering& ordering, const Scene& scene,
+Result<VisibleSheet> assemble_visible_sheet(const SolvedSurface& surface,
                                             const ModelOptions& options,
                                             const RunContext& context = {});
 

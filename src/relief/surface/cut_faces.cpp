@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <numeric>
 
-#include "relievo/run_context.h"
-
 namespace relievo::relief {
 namespace {
 
@@ -27,7 +25,7 @@ class FaceCutter {
       : surface_(surface), builder_(builder), hidden_depth_(hidden_depth) {}
 
   void cut(int face) {
-    const int part = surface_.mesh.face_part[face];
+    const int part = surface_.solved.mesh.face_part[face];
     const bool hidden = is_hidden(face);
     if (is_whole(face)) {
       const int* v = &surface_.sheets.vertex[corner_of(face, 0)];
@@ -52,7 +50,7 @@ class FaceCutter {
   /// Returns whether a face lies clearly below the front one. If the two all but touch, the lower
   /// one keeps the drawing's colours, so that it does not matter which of them a viewer shows.
   bool is_hidden(int face) const {
-    const LayeredMesh& mesh = surface_.mesh;
+    const LayeredMesh& mesh = surface_.solved.mesh;
     const int front = mesh.stack_begin[mesh.face_triangle[face] + 1] - 1;
     double depth = 0;
     for (int k = 0; k < 3 && front != face; ++k) depth = std::max(depth, z(front, k) - z(face, k));
@@ -167,7 +165,7 @@ bool changes_sign(double a, double b) { return (a < 0 && b > 0) || (a > 0 && b <
 
 void append_edge_points(const CutSurface& surface, FaceEdge edge, bool backwards,
                         std::vector<EdgePoint>& points) {
-  const auto& [mesh, sheets, cuts] = surface;
+  const auto& [solved, sheets, cuts] = surface;
   const int e = sheets.edge[3 * edge.face + edge.corner];
   const auto end_point = [&surface, edge](int side, double t) {
     const int vertex = surface.sheets.vertex[corner_of(edge.face, (edge.corner + side) % 3)];
@@ -189,7 +187,7 @@ void append_edge_points(const CutSurface& surface, FaceEdge edge, bool backwards
 Status cut_faces(const CutSurface& surface, double hidden_depth, const RunContext& context,
                  ModelBuilder& builder) {
   FaceCutter cutter(surface, hidden_depth, builder);
-  const int faces = static_cast<int>(surface.mesh.faces.size());
+  const int faces = static_cast<int>(surface.solved.mesh.faces.size());
   for (int f = 0; f < faces; ++f) {
     if (f % 4096 == 0 && context.cancelled()) return interrupted_error();
     if (surface.sheets.edge[corner_of(f, 0)] >= 0) cutter.cut(f);

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "relief/inflation/inflation.h"
 #include "relief/surface/model_builder.h"
 #include "relief/surface/sheet_surface.h"
+#include "relief/surface/surface_sample.h"
 #include "relief/surface/visible_sheet.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
@@ -32,7 +32,7 @@ Result<EdgeCuts> cut_edges(const SheetSurface& surface, const Inflation& inflati
 /// A surface with its cuts. Its model vertices are, in this order, its own vertices, the cuts, and
 /// the cuts of creases a second time.
 struct CutSurface {
-  const LayeredMesh& mesh;
+  const SolvedSurface& solved;
   const SheetSurface& sheets;
   const EdgeCuts& cuts;
 };

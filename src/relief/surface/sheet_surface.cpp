@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
-#include "relievo/model.h"
 
 namespace relievo::relief {
 namespace {
@@ -19,18 +18,11 @@ int first_kept_face(const LayeredMesh& mesh, const Scene& scene, Visibility visi
   return begin;
 }
 
-/// Returns the corner of triangle `t` opposite to its edge with triangle `other`.
-int corner_towards(const LayeredMesh& mesh, int t, int other) {
-  int k = 0;
-  while (k < 2 && mesh.neighbours[t][k] != other) ++k;
-  return k;
-}
-
 /// Returns the last face of [begin, end) that shares the nodes of `edge`, or -1.
 int face_across(const LayeredMesh& mesh, FaceEdge edge, int begin, int end) {
   if (begin == end) return -1;
   const int t = mesh.face_triangle[begin];
-  const int corner = corner_towards(mesh, t, mesh.face_triangle[edge.face]);
+  const int corner = place_of_node(mesh.neighbours[t], mesh.face_triangle[edge.face]);
   for (int f = end - 1; f >= begin; --f)
     if (share_edge(mesh.faces[edge.face], edge.corner, mesh.faces[f], corner)) return f;
   return -1;
@@ -87,7 +79,7 @@ class Connector {
     const int other = face_across(mesh_, edge, surface_.kept_begin[other_triangle],
                                   mesh_.stack_begin[other_triangle + 1]);
     if (other < 0 || !is_kept(other)) return;
-    const int k = corner_towards(mesh_, other_triangle, mesh_.face_triangle[edge.face]);
+    const int k = place_of_node(mesh_.neighbours[other_triangle], mesh_.face_triangle[edge.face]);
     if (surface_.edge[corner_of(other, k)] >= 0) return;
     surface_.edge[corner_of(other, k)] = surface_.edge[slot];
     surface_.across[slot] = other;
@@ -120,7 +112,7 @@ class Connector {
     const int other = mesh_.stack_begin[other_triangle + 1] - 1;
     if (other < mesh_.stack_begin[other_triangle]) return;
     surface_.open_edges.push_back(
-        {edge, FaceEdge{other, corner_towards(mesh_, other_triangle, triangle)}});
+        {edge, FaceEdge{other, place_of_node(mesh_.neighbours[other_triangle], triangle)}});
   }
 
   /// Pairs the lowest kept face of a triangle with the uppermost surface that is cut along its
@@ -131,7 +123,7 @@ class Connector {
     if (other_triangle < 0 || edge.face != surface_.kept_begin[triangle] || edge.face == dropped)
       return;
     if (surface_.across[edge.index()] >= 0) return;
-    const int k = corner_towards(mesh_, other_triangle, triangle);
+    const int k = place_of_node(mesh_.neighbours[other_triangle], triangle);
     for (int f = mesh_.stack_begin[other_triangle + 1] - 1;
          f >= surface_.kept_begin[other_triangle]; --f) {
       if (!is_kept(f) || face_across(mesh_, {f, k}, dropped, edge.face) < 0) continue;

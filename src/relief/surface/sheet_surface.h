@@ -3,7 +3,6 @@
 #include <array>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
 #include "relievo/model.h"
 #include "relievo/scene.h"

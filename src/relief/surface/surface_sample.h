@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"
@@ -11,6 +10,14 @@
 #include "relievo/scene.h"
 
 namespace relievo::relief {
+
+/// A joined surface with its heights, which models and maps are made of.
+struct SolvedSurface {
+  const LayeredMesh& mesh;
+  const Inflation& inflation;
+  const Ordering& ordering;
+  const Scene& scene;
+};
 
 /// The relief at one point of a face. All members vary linearly over the face; height and normal
 /// are computed from them, never interpolated.
@@ -35,13 +42,13 @@ inline Point3 surface_normal(const SurfaceSample& s) {
 }
 
 /// Returns the sample at a node.
-inline SurfaceSample node_sample(const Inflation& inflation, const Ordering& ordering, int node) {
-  return {inflation.u[node], ordering.g[node], inflation.grad_u[node], ordering.grad_g[node]};
+inline SurfaceSample node_sample(const SolvedSurface& surface, int node) {
+  const auto& [u, grad_u] = surface.inflation;
+  return {u[node], surface.ordering.g[node], grad_u[node], surface.ordering.grad_g[node]};
 }
 
 /// Returns the sample at a corner of a face, on the face's side of a crease.
-SurfaceSample corner_sample(const LayeredMesh& mesh, const Inflation& inflation,
-                            const Ordering& ordering, int face, int corner);
+SurfaceSample corner_sample(const SolvedSurface& surface, int face, int corner);
 
 /// Returns (1 - t) a + t b.
 inline SurfaceSample interpolate(const SurfaceSample& a, const SurfaceSample& b, double t) {
@@ -52,7 +59,6 @@ inline SurfaceSample interpolate(const SurfaceSample& a, const SurfaceSample& b,
 
 /// Checks that there are one finite value per node, a part for every face and a canvas with area.
 /// Fails with internal or bad_input. O(nodes + faces).
-Status check_surface(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
-                     const Scene& scene);
+Status check_surface(const SolvedSurface& surface);
 
 }  // namespace relievo::relief

@@ -35,12 +35,12 @@ class WallBuilder {
     weld_cuts();
     if (coincide()) return;
     first_higher_ = first_is_higher(open);
-    part_ = surface_.mesh.face_part[open[first_higher_ ? 0 : 1].face];
+    part_ = surface_.solved.mesh.face_part[open[first_higher_ ? 0 : 1].face];
     find_normals();
     for (EdgePoint& p : first_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
     for (EdgePoint& p : second_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
-    const int triangle = surface_.mesh.face_triangle[open[0].face];
-    const std::array<int, 3>& base = surface_.mesh.triangles[triangle];
+    const int triangle = surface_.solved.mesh.face_triangle[open[0].face];
+    const std::array<int, 3>& base = surface_.solved.mesh.triangles[triangle];
     zip(base[next_place(open[0].corner)], base[last_place(open[0].corner)]);
   }
 
@@ -51,7 +51,7 @@ class WallBuilder {
         for (const int side : {1, 2}) {
           const int v = surface_.sheets.vertex[corner_of(edge.face, (edge.corner + side) % 3)];
           const int node = surface_.sheets.vertex_node[v];
-          ends_.push_back({surface_.mesh.node_vertex[node], z(v), v});
+          ends_.push_back({surface_.solved.mesh.node_vertex[node], z(v), v});
         }
     std::sort(ends_.begin(), ends_.end());
   }
@@ -100,7 +100,8 @@ class WallBuilder {
   bool first_is_higher(const OpenEdge& open) const {
     const double difference = area_below(first_) - area_below(second_);
     if (difference != 0) return difference > 0;
-    return surface_.mesh.face_part[open[0].face] >= surface_.mesh.face_part[open[1].face];
+    return surface_.solved.mesh.face_part[open[0].face] >=
+           surface_.solved.mesh.face_part[open[1].face];
   }
 
   /// Computes the wall's normals at both ends. The wall continues a rim: the normal is the
@@ -256,9 +257,9 @@ void close_open_edges(const CutSurface& surface, double weld_tolerance, ModelBui
   for (const OpenEdge& open : surface.sheets.open_edges) walls.close(open);
 }
 
-std::vector<BackPoint> back_points(const CutSurface& surface, const Inflation& inflation,
-                                   const Ordering& ordering) {
-  const auto& [mesh, sheets, cuts] = surface;
+std::vector<BackPoint> back_points(const CutSurface& surface) {
+  const auto& [solved, sheets, cuts] = surface;
+  const auto& [mesh, inflation, ordering, scene] = solved;
   // Hidden sheets are lowered for the front alone.
   std::vector<double> g = ordering.g;
   for (size_t n = 0; n < ordering.lowered.size(); ++n) g[n] += ordering.lowered[n];

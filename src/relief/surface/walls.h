@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include "relief/inflation/inflation.h"
-#include "relief/ordering/ordering.h"
 #include "relief/surface/cut_faces.h"
 #include "relief/surface/visible_sheet.h"
 
@@ -20,7 +18,6 @@ void close_open_edges(const CutSurface& surface, double weld_tolerance, ModelBui
 
 /// Returns the points behind the vertices of a cut surface and its cuts: of all sheets but hollows,
 /// the one with the least g - |f|, the first of several. O(faces + cuts * height of a stack).
-std::vector<BackPoint> back_points(const CutSurface& surface, const Inflation& inflation,
-                                   const Ordering& ordering);
+std::vector<BackPoint> back_points(const CutSurface& surface);
 
 }  // namespace relievo::relief

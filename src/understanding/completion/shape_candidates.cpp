@@ -6,8 +6,6 @@
 #include "kernel/geometry/ellipse.h"
 #include "kernel/image/diffusion.h"
 #include "kernel/image/distance_transform.h"
-#include "kernel/image/outlines.h"
-#include "understanding/completion/contour_gaps.h"
 
 namespace relievo::understanding {
 namespace {

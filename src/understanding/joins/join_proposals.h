@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "relievo/scene.h"
 
 namespace relievo::understanding {

@@ -5,8 +5,6 @@
 #include <map>
 #include <optional>
 
-#include "kernel/geometry/polygon.h"
-#include "understanding/joins/hollow_parts.h"
 #include "understanding/joins/layer_grid.h"
 #include "understanding/joins/part_profile.h"
 #include "understanding/joins/root_caps.h"

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "kernel/geometry/moments.h"
-#include "kernel/geometry/polygon.h"
 
 namespace relievo::understanding {
 namespace {

@@ -7,6 +7,74 @@
 namespace relievo::understanding {
 namespace {
 
+/// The use of a mark in a drawing.
+enum class MarkRole {
+  shape,       ///< a part, or paint on one
+  ink,         ///< lines: an outline plate below or above the colours, strokes, hatching
+  shade,       ///< a shade or highlight on what lies below it
+  shadow,      ///< cast on the floor
+  motion,      ///< lines that stand apart from everything
+  background,  ///< behind all
+};
+
+/// Lengths are fractions of the diagonal of the drawing, shares fractions of the mark's area.
+constexpr double rim_thickness = 0.012;  ///< of lines, and between twins
+/// A stroke without a fill that is wider than this is a body of its own unless it is ink.
+constexpr double wide_stroke = 0.02;
+constexpr double pen_thickness = 0.045;  ///< of dark outlines
+constexpr double pen_along = 0.6;        ///< share of dark ink that runs along or inside fills
+constexpr double apart = 0.03;           ///< lines farther from fills than this are motion lines
+constexpr double dark = 0.2;             ///< luminance
+constexpr double dull = 0.4;             ///< the lightest of red, green and blue
+constexpr double translucent = 0.95;     ///< alpha
+constexpr double over_others = 0.8;      ///< share of a shade over earlier marks
+constexpr double within_others = 0.95;   ///< likewise of an opaque shade
+constexpr double same_hue = 0.985;       ///< cosine between colours, or between their complements
+
+constexpr double flat_shadow = 2.5;    ///< width over height of a cast shadow
+constexpr double shadow_width = 0.35;  ///< of its width in that of the drawing, where it is opaque
+constexpr double floor_height = 0.12;  ///< of the drawing, where shadows lie
+constexpr double ellipse_share = 0.785;
+
+bool is_dark(const Color& c) { return luminance(c) < dark && std::max({c.r, c.g, c.b}) < dull; }
+
+double cosine(const Color& p, const Color& q) {
+  const double norms =
+      std::sqrt((p.r * p.r + p.g * p.g + p.b * p.b) * (q.r * q.r + q.g * q.g + q.b * q.b));
+  return norms > 0 ? (p.r * q.r + p.g * q.g + p.b * q.b) / norms : 0;
+}
+
+/// Returns whether one colour is the other made darker or lighter.
+bool is_tint(const Color& p, const Color& q) {
+  const auto rest = [](const Color& c) { return Color{1 - c.r, 1 - c.g, 1 - c.b, 1}; };
+  return cosine(p, q) > same_hue || cosine(rest(p), rest(q)) > same_hue;
+}
+
+bool thinner(const Region& region, double thickness) {
+  return area(grow(region, -thickness / 2)) < 0.05 * area(region);
+}
+
+double height(const Box2& box) { return box.max.y - box.min.y; }
+double width(const Box2& box) { return box.max.x - box.min.x; }
+
+double common_area(const Box2& p, const Box2& q) {
+  const double width = std::min(p.max.x, q.max.x) - std::max(p.min.x, q.min.x);
+  const double height = std::min(p.max.y, q.max.y) - std::max(p.min.y, q.min.y);
+  return std::max(0.0, width) * std::max(0.0, height);
+}
+
+/// Returns whether the two regions differ by no more than a thin rim, in a drawing of this
+/// diagonal.
+bool same_silhouette(const Region& p, const Region& q, double diagonal) {
+  const double larger = std::max(area(p), area(q));
+  if (common_area(bounding_box(p), bounding_box(q)) < 0.5 * larger) return false;
+  if (std::min(area(p), area(q)) < 0.5 * larger) return false;
+  if (area(intersect(p, q)) < 0.5 * larger) return false;
+  const double rim = std::min(rim_thickness * diagonal, 0.18 * std::sqrt(larger));
+  const double rest = area(grow(subtract(p, q), -rim / 2)) + area(grow(subtract(q, p), -rim / 2));
+  return rest < 0.02 * larger;
+}
+
 /// Largest strand / area of the drawing. Neighbouring figures of one group and colour that are
 /// smaller, like strands of hair, become one.
 constexpr double strand_area = 0.02;
@@ -62,53 +130,17 @@ std::string note_on(const Mark& mark, MarkRole role) {
          " and left out of the model";
 }
 
-/// Lengths are fractions of the diagonal of the drawing, shares fractions of the mark's area.
-constexpr double rim_thickness = 0.012;  ///< of lines, and between twins
-/// A stroke without a fill that is wider than this is a body of its own unless it is ink.
-constexpr double wide_stroke = 0.02;
-constexpr double pen_thickness = 0.045;  ///< of dark outlines
-constexpr double pen_along = 0.6;        ///< share of dark ink that runs along or inside fills
-constexpr double apart = 0.03;           ///< lines farther from fills than this are motion lines
-constexpr double dark = 0.2;             ///< luminance
-constexpr double dull = 0.4;             ///< the lightest of red, green and blue
-constexpr double translucent = 0.95;     ///< alpha
-constexpr double over_others = 0.8;      ///< share of a shade over earlier marks
-constexpr double within_others = 0.95;   ///< likewise of an opaque shade
-constexpr double same_hue = 0.985;       ///< cosine between colours, or between their complements
-
-constexpr double flat_shadow = 2.5;    ///< width over height of a cast shadow
-constexpr double shadow_width = 0.35;  ///< of its width in that of the drawing, where it is opaque
-constexpr double floor_height = 0.12;  ///< of the drawing, where shadows lie
-constexpr double ellipse_share = 0.785;
-
-bool is_dark(const Color& c) { return luminance(c) < dark && std::max({c.r, c.g, c.b}) < dull; }
-
-double cosine(const Color& p, const Color& q) {
-  const double norms =
-      std::sqrt((p.r * p.r + p.g * p.g + p.b * p.b) * (q.r * q.r + q.g * q.g + q.b * q.b));
-  return norms > 0 ? (p.r * q.r + p.g * q.g + p.b * q.b) / norms : 0;
-}
-
-/// Returns whether one colour is the other made darker or lighter.
-bool is_tint(const Color& p, const Color& q) {
-  const auto rest = [](const Color& c) { return Color{1 - c.r, 1 - c.g, 1 - c.b, 1}; };
-  return cosine(p, q) > same_hue || cosine(rest(p), rest(q)) > same_hue;
-}
-
-bool thinner(const Region& region, double thickness) {
-  return area(grow(region, -thickness / 2)) < 0.05 * area(region);
-}
-
-double height(const Box2& box) { return box.max.y - box.min.y; }
-double width(const Box2& box) { return box.max.x - box.min.x; }
-
-double common_area(const Box2& p, const Box2& q) {
-  const double width = std::min(p.max.x, q.max.x) - std::max(p.min.x, q.min.x);
-  const double height = std::min(p.max.y, q.max.y) - std::max(p.min.y, q.min.y);
-  return std::max(0.0, width) * std::max(0.0, height);
-}
-
-/// Assigns one role after the other, each to marks that have none yet.
+/// Finds the roles of marks in paint order, one after the other, each among marks that have none
+/// yet. Only shapes can become parts. The other roles are:
+///  - background: a rectangle, the first mark or on other backgrounds, that reaches at least three
+///    sides of the canvas, or all four where nothing else is drawn;
+///  - shadow: flat, at the lower end, on background alone, and translucent, blurred or a dark
+///    ellipse;
+///  - ink: a stroke or fill as thin as a line; or dark, visible no wider than a thick pen, along or
+///    inside fills, and not the twin of a fill;
+///  - shade: translucent and mostly over earlier marks; or a crescent or stripe of the same hue
+///    within them;
+///  - motion: ink that is nowhere near a fill.
 class RoleFinder {
  public:
   RoleFinder(const std::vector<Mark>& marks, const Box2& canvas) : marks_(marks), canvas_(canvas) {
@@ -281,7 +313,7 @@ class RoleFinder {
 }  // namespace
 
 FigureList group_figures(std::vector<Mark> marks, const Box2& canvas) {
-  const std::vector<MarkRole> roles = find_roles(marks, canvas);
+  const std::vector<MarkRole> roles = RoleFinder(marks, canvas).run();
   FigureList list;
   std::vector<Region> all;
   std::vector<Region> ink;
@@ -306,20 +338,6 @@ FigureList group_figures(std::vector<Mark> marks, const Box2& canvas) {
   }
   merge_strands(list);
   return list;
-}
-
-bool same_silhouette(const Region& p, const Region& q, double diagonal) {
-  const double larger = std::max(area(p), area(q));
-  if (common_area(bounding_box(p), bounding_box(q)) < 0.5 * larger) return false;
-  if (std::min(area(p), area(q)) < 0.5 * larger) return false;
-  if (area(intersect(p, q)) < 0.5 * larger) return false;
-  const double rim = std::min(rim_thickness * diagonal, 0.18 * std::sqrt(larger));
-  const double rest = area(grow(subtract(p, q), -rim / 2)) + area(grow(subtract(q, p), -rim / 2));
-  return rest < 0.02 * larger;
-}
-
-std::vector<MarkRole> find_roles(const std::vector<Mark>& marks, const Box2& canvas) {
-  return RoleFinder(marks, canvas).run();
 }
 
 }  // namespace relievo::understanding

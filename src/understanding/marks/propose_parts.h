@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "relievo/scene.h"
 #include "understanding/marks/figures.h"
 

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <set>
 #include <utility>
-#include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "kernel/image/outlines.h"
 #include "understanding/joins/part_profile.h"
 #include "understanding/joins/propose_layer_joins.h"

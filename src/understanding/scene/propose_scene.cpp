@@ -7,11 +7,10 @@
 
 #include "kernel/base/text_rules.h"
 #include "kernel/image/outlines.h"
-#include "understanding/completion/clip_to_order.h"
 #include "understanding/joins/part_profile.h"
 #include "understanding/joins/propose_joins.h"
 #include "understanding/joins/propose_leans.h"
-#include "understanding/scene/relabel.h"
+#include "understanding/scene/keep_edits.h"
 #include "understanding/stacking/stack_parts.h"
 
 namespace relievo::understanding {

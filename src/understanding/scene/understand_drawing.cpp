@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "understanding/scene/keep_edits.h"
-#include "understanding/scene/relabel.h"
 
 namespace relievo::understanding {
 namespace {

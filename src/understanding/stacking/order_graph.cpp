@@ -1,9 +1,7 @@
 #include "understanding/stacking/order_graph.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
-#include <utility>
 
 namespace relievo::understanding {
 namespace {
@@ -25,62 +23,35 @@ Adjacency parts_above(const std::vector<PartLabel>& parts, const std::vector<Ord
   return above;
 }
 
-/// The strongly connected component of every part (Tarjan's algorithm without recursion).
+/// The strongly connected component of every part (Tarjan's algorithm).
 class Components {
  public:
   explicit Components(const Adjacency& next)
-      : component(next.size(), -1),
-        next_(next),
-        child_(next.size(), 0),
-        index_(next.size(), -1),
-        low_(next.size(), 0) {
+      : component(next.size(), -1), next_(next), low_(next.size(), -1) {
     for (size_t part = 0; part < next.size(); ++part)
-      if (index_[part] < 0) visit(static_cast<int>(part));
+      if (low_[part] < 0) visit(static_cast<int>(part));
   }
 
   std::vector<int> component;
 
  private:
-  void open(int part) {
-    index_[part] = low_[part] = counter_++;
+  void visit(int part) {
+    const int index = low_[part] = counter_++;
     stack_.push_back(part);
-    path_.push_back(part);
-  }
-
-  void close(int part) {
-    path_.pop_back();
-    if (!path_.empty()) low_[path_.back()] = std::min(low_[path_.back()], low_[part]);
-    if (low_[part] != index_[part]) return;
-    int member = -1;
-    do {
-      member = stack_.back();
+    for (const int next : next_[part]) {
+      if (low_[next] < 0) visit(next);
+      if (component[next] < 0) low_[part] = std::min(low_[part], low_[next]);
+    }
+    if (low_[part] != index) return;
+    while (component[part] < 0) {
+      component[stack_.back()] = part;
       stack_.pop_back();
-      component[member] = part;
-    } while (member != part);
-  }
-
-  void visit(int root) {
-    open(root);
-    while (!path_.empty()) {
-      const int part = path_.back();
-      if (child_[part] == next_[part].size()) {
-        close(part);
-        continue;
-      }
-      const int child = next_[part][child_[part]++];
-      if (index_[child] < 0)
-        open(child);
-      else if (component[child] < 0)
-        low_[part] = std::min(low_[part], index_[child]);
     }
   }
 
   const Adjacency& next_;
-  std::vector<size_t> child_;  ///< per part, how many of its `next_` were visited
-  std::vector<int> index_;
-  std::vector<int> low_;
+  std::vector<int> low_;  ///< the least index, in the order of visits, that a part leads back to
   std::vector<int> stack_;
-  std::vector<int> path_;
   int counter_ = 0;
 };
 

@@ -5,13 +5,34 @@
 #include <map>
 #include <set>
 
+#include "kernel/base/cyclic_runs.h"
 #include "kernel/base/exact_functions.h"
-#include "understanding/stacking/bulges.h"
-#include "understanding/stacking/junctions.h"
+#include "kernel/image/outlines.h"
 #include "understanding/stacking/order_graph.h"
 
 namespace relievo::understanding {
 namespace {
+
+constexpr double bulge_scale = 0.06;  ///< A / C at which the confidence is 1 - 1/e
+constexpr size_t min_sides = 8;       ///< shorter runs of a boundary are ignored
+
+/// Sums over the runs of a common boundary.
+struct Bulge {
+  double area = 0;    ///< A: on the second part's side of the chords, px^2
+  double chords = 0;  ///< C: squared lengths, px^2
+};
+
+/// Twice the area between a run of sides and its chord; positive where the ring's own part bulges
+/// out.
+double twice_area(const LabelRing& ring, size_t first, size_t count) {
+  const Point2 origin = ring.sides[first % ring.size()];
+  double sum = 0;
+  for (size_t i = first; i + 1 < first + count; ++i)
+    sum += cross(ring.sides[i % ring.size()] - origin, ring.sides[(i + 1) % ring.size()] - origin);
+  return sum;
+}
+
+constexpr double least_confidence = 0.01;  ///< cues below are left out
 
 /// Weights of the cues: the log-odds that a cue of 1 adds for its part. They are fitted by logistic
 /// regression to pairs whose order is known (docs/understanding/stacking.md).
@@ -96,11 +117,10 @@ std::map<Pair, PairBelief> collect(const PartRegions& regions,
     if (found != beliefs.end())
       found->second.bulge = bulge.upper < bulge.lower ? bulge.confidence : -bulge.confidence;
   }
-  for (const JunctionCue& cue : find_junction_cues(regions)) {
-    const PartLabel upper = regions.labels[cue.upper];
-    const PartLabel lower = regions.labels[cue.lower];
-    const auto found = beliefs.find(std::minmax(upper, lower));
-    if (found != beliefs.end()) found->second.junctions[upper < lower ? 0 : 1] += cue.confidence;
+  for (const OrderArrow& cue : find_junction_cues(regions)) {
+    const auto found = beliefs.find(std::minmax(cue.upper, cue.lower));
+    if (found == beliefs.end()) continue;
+    found->second.junctions[cue.upper < cue.lower ? 0 : 1] += cue.confidence;
   }
   return beliefs;
 }
@@ -153,6 +173,47 @@ std::vector<std::vector<double>> pair_odds(const PartRegions& regions,
 }
 
 }  // namespace
+
+std::vector<OrderArrow> find_bulges(const PartRegions& regions) {
+  std::map<std::pair<PartLabel, PartLabel>, Bulge> bulges;
+  for (const std::vector<LabelRing>& rings : regions.rings)
+    for (const LabelRing& ring : rings) {
+      const auto same = [&](size_t i, size_t j) { return ring.beyond[i] == ring.beyond[j]; };
+      for_each_run(ring.size(), same, [&](size_t first, size_t count) {
+        const PartLabel other = ring.beyond[first];
+        if (other < ring.label || count < min_sides) return;
+        const Point2 chord = ring.sides[(first + count - 1) % ring.size()] - ring.sides[first];
+        Bulge& bulge = bulges[{ring.label, other}];
+        bulge.area += twice_area(ring, first, count) / 2;
+        bulge.chords += dot(chord, chord);
+      });
+    }
+  std::vector<OrderArrow> arrows;
+  for (const auto& [pair, bulge] : bulges) {
+    if (bulge.area == 0) continue;
+    const double confidence =
+        1 - exact::exp(-std::abs(bulge.area) / (bulge_scale * std::max(bulge.chords, 1e-9)));
+    const auto [first, second] = pair;
+    if (bulge.area > 0)
+      arrows.push_back({first, second, confidence});
+    else
+      arrows.push_back({second, first, confidence});
+  }
+  return arrows;
+}
+
+std::vector<OrderArrow> find_junction_cues(const PartRegions& regions) {
+  std::vector<OrderArrow> cues;
+  for (const std::vector<LabelRing>& rings : regions.rings)
+    for (const LabelRing& ring : rings)
+      for (const Junction& junction : find_junctions(ring)) {
+        const double confidence = t_junction_confidence(junction);
+        if (confidence < least_confidence) continue;
+        for (const PartLabel beyond : {junction.before, junction.after})
+          if (beyond != 0) cues.push_back({ring.label, beyond, confidence});
+      }
+  return cues;
+}
 
 Result<Stacking> stack_parts(const PartRegions& regions,
                              const std::vector<NeighbourEvidence>& evidence,

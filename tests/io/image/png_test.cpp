@@ -40,7 +40,8 @@ Bytes with_chunk(Bytes png, const char* name, const Bytes& content) {
   append_big_endian(chunk, static_cast<uint32_t>(content.size()));
   chunk.insert(chunk.end(), name, name + 4);
   chunk.insert(chunk.end(), content.begin(), content.end());
-  append_big_endian(chunk, static_cast<uint32_t>(crc32(0, &chunk[4], content.size() + 4)));
+  append_big_endian(
+      chunk, static_cast<uint32_t>(crc32(0, &chunk[4], static_cast<uInt>(content.size() + 4))));
   png.insert(png.begin() + 33, chunk.begin(), chunk.end());
   return png;
 }

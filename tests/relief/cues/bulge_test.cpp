@@ -6,6 +6,7 @@
 #include "relief/cues/cue_fields.h"
 #include "relief/inflation/inflate.h"
 #include "support/scenes.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {

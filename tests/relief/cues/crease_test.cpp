@@ -144,8 +144,8 @@ TEST(Crease, KeepsItsAngleAlongABend) {
 TEST(Crease, NormalsDifferOnBothSidesOfTheModel) {
   const Scene scene = plate(0.2, 0.8, 40);
   const Relief relief = built(scene, 8);
-  const Result<Model> model =
-      assemble_model(relief.layers, relief.inflation, relief.ordering, scene, {Visibility::relief});
+  const Result<Model> model = assemble_model(
+      {relief.layers, relief.inflation, relief.ordering, scene}, {Visibility::relief});
   ASSERT_TRUE(model);
   std::map<std::tuple<double, double, double>, std::vector<Point3>> normals;
   for (size_t v = 0; v < model->positions.size(); ++v) {
@@ -166,8 +166,8 @@ TEST(Crease, LeavesTheModelClosed) {
   scene.parts.push_back(part("ball", circle({220, 210}, 50)));
   scene.cues.push_back({1, CueKind::crease, {{170, 190}, {280, 230}}, -30});
   const Relief relief = built(scene, 8);
-  const Result<Model> model =
-      assemble_model(relief.layers, relief.inflation, relief.ordering, scene, {Visibility::relief});
+  const Result<Model> model = assemble_model(
+      {relief.layers, relief.inflation, relief.ordering, scene}, {Visibility::relief});
   ASSERT_TRUE(model);
   const SilhouetteCensus census = count_silhouette(*model, relief.layers);
   EXPECT_EQ(census.along, census.outline);
@@ -179,7 +179,7 @@ TEST(Crease, NormalMapsTurnFromOnePixelToTheNext) {
   const Scene scene = plate(0.2, 0.8, 40);
   const Relief relief = built(scene, 8);
   const auto maps =
-      rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene, 400, 400);
+      rasterize_relief({relief.layers, relief.inflation, relief.ordering, scene}, 400, 400);
   ASSERT_TRUE(maps);
   for (const int x : {150, 200, 250}) {
     const auto normal = [&](int y) {
@@ -219,8 +219,8 @@ TEST(Crease, RandomCuesOnRandomScenesAreSolvedToTheEnd) {
     ASSERT_TRUE(relief) << seed << " " << to_string(relief.error());
     EXPECT_LE(relief->ordering.report.stationarity, 1e-12) << seed;
     EXPECT_LE(relief->ordering.max_violation, 1e-9) << seed;
-    const Result<Model> model = assemble_model(relief->layers, relief->inflation, relief->ordering,
-                                               scene, {Visibility::relief});
+    const Result<Model> model = assemble_model(
+        {relief->layers, relief->inflation, relief->ordering, scene}, {Visibility::relief});
     ASSERT_TRUE(model) << seed << " " << to_string(model.error());
     EXPECT_EQ(count_silhouette(*model, relief->layers).elsewhere, 0) << seed;
   }

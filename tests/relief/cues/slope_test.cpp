@@ -8,6 +8,7 @@
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "kernel/geometry/polygon.h"
-#include "relief/finish/dress_hidden.h"
+#include "relief/finish/finish_model.h"
 #include "relief/finish/hidden_patches.h"
 #include "support/analytic_discs.h"
 #include "support/model_checks.h"

@@ -140,7 +140,7 @@ TEST(InkRims, JoinsStay) {
   const auto relief = build_relief(scene, options);
   ASSERT_TRUE(relief.ok());
   const auto before =
-      assemble_model(relief->layers, relief->inflation, relief->ordering, scene, {});
+      assemble_model({relief->layers, relief->inflation, relief->ordering, scene}, {});
   ASSERT_TRUE(before.ok());
   Model after = *before;
   narrow_inked_rims(after, drawn({body, head}, ink_width));

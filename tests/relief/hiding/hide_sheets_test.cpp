@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "relief/discretisation/discretisation.h"
-#include "relief/hiding/overlap.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
 #include "support/random_limbs.h"
 #include "support/random_scene.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {

@@ -10,6 +10,7 @@
 
 #include "kernel/operators/laplacian.h"
 #include "relief/layers/layered_mesh.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {

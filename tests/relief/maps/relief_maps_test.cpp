@@ -14,14 +14,14 @@ namespace {
 const Disc tilted_ball{{100, 90}, 60, 1, 5, {0.1, -0.2}};
 
 ReliefMaps rasterize(const DiscRelief& relief, int width, int height) {
-  auto maps =
-      rasterize_relief(relief.mesh, relief.inflation, relief.ordering, relief.scene, width, height);
+  auto maps = rasterize_relief({relief.mesh, relief.inflation, relief.ordering, relief.scene},
+                               width, height);
   EXPECT_TRUE(maps.ok()) << to_string(maps.error());
   return maps.ok() ? std::move(*maps) : ReliefMaps{};
 }
 
 ErrorCode refusal(const DiscRelief& relief, int width, int height, const RunContext& context = {}) {
-  const auto maps = rasterize_relief(relief.mesh, relief.inflation, relief.ordering, relief.scene,
+  const auto maps = rasterize_relief({relief.mesh, relief.inflation, relief.ordering, relief.scene},
                                      width, height, context);
   EXPECT_FALSE(maps.ok());
   return maps.ok() ? ErrorCode::internal : maps.error().code;

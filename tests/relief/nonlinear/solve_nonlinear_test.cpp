@@ -13,6 +13,7 @@
 #include "support/nonlinear_case.h"
 #include "support/probe.h"
 #include "support/random_scene.h"
+#include "support/solve_once.h"
 
 namespace relievo::relief {
 namespace {

@@ -61,7 +61,7 @@ TEST(JoinsFromBehind, ShareAllVerticesOfTheOutlineInFront) {
     const Scene scene = limbs_behind(seed);
     const Relief relief = relief_of(scene);
     const LayeredMesh& mesh = relief.layers;
-    const auto model = assemble_model(mesh, relief.inflation, relief.ordering, scene, {});
+    const auto model = assemble_model({mesh, relief.inflation, relief.ordering, scene}, {});
     ASSERT_TRUE(model);
     const int body = mesh.part_count - 1;
     std::vector<Places> places;

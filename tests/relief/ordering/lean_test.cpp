@@ -7,6 +7,7 @@
 #include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
 #include "support/shift_cost.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {

@@ -7,6 +7,7 @@
 #include "relief/ordering/limb_rise.h"
 #include "support/scenes.h"
 #include "support/shifted_scene.h"
+#include "support/solve_once.h"
 
 namespace relievo::relief {
 namespace {

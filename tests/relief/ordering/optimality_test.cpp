@@ -9,6 +9,7 @@
 #include "support/enforced_pairs.h"
 #include "support/ipopt_qp.h"
 #include "support/random_depth.h"
+#include "support/solve_once.h"
 
 namespace relievo::relief {
 namespace {

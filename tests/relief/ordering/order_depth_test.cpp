@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "relief/inflation/inflate.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {

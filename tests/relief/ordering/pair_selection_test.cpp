@@ -6,7 +6,8 @@
 
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflate.h"
-#include "relief/ordering/ordering_system.h"
+#include "relief/ordering/order_depth.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {

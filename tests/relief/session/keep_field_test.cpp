@@ -44,8 +44,8 @@ TEST(KeepField, InflationAndShiftAddUpToTheRelief) {
 TEST(KeepField, EveryFieldIsASurfaceWithNormals) {
   for (const Field field : {Field::relief, Field::inflation, Field::shift}) {
     const Relief relief = field_of(Method::approximate, field);
-    const auto model = assemble_model(relief.layers, relief.inflation, relief.ordering,
-                                      random_scene(8), ModelOptions());
+    const auto model = assemble_model(
+        {relief.layers, relief.inflation, relief.ordering, random_scene(8)}, ModelOptions());
     ASSERT_TRUE(model.ok());
     for (const Point3 n : model->normals) EXPECT_NEAR(norm(n), 1, 1e-6);
   }

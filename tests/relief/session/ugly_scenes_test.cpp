@@ -72,7 +72,7 @@ std::string outcome(const Scene& scene, const ReliefOptions& options) {
   const BoundQpReport& report = relief->ordering.report;
   if (report.status == SolveStatus::solved && !(worst_residual(report) <= max_residual))
     return "DEFECT residual " + std::to_string(std::log10(worst_residual(report)));
-  const auto model = assemble_model(relief->layers, relief->inflation, relief->ordering, scene,
+  const auto model = assemble_model({relief->layers, relief->inflation, relief->ordering, scene},
                                     {Visibility::orbit});
   if (!model) return "DEFECT " + model.error().message;
   if (const std::string wrong = model_defect(*model); !wrong.empty()) return "DEFECT " + wrong;

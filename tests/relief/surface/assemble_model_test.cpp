@@ -255,8 +255,8 @@ TEST(AssembleModel, ScalesWithTheDrawing) {
 TEST(AssembleModel, RefusesWhatItCannotDo) {
   const DiscRelief relief = make_discs({ball}, 200, 180, 12);
   const auto code = [&relief](ModelOptions options, const RunContext& context = {}) {
-    const auto model = assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene,
-                                      options, context);
+    const auto model = assemble_model(
+        {relief.mesh, relief.inflation, relief.ordering, relief.scene}, options, context);
     EXPECT_FALSE(model.ok());
     return model.ok() ? ErrorCode::internal : model.error().code;
   };
@@ -281,11 +281,11 @@ TEST(AssembleModel, RefusesHeightsThatAreNotFiniteAndTooManyTriangles) {
   options.rim_tolerance = 1e-6;
   set_linear_heights(relief, {0, {1e15, 0}}, {});
   auto model =
-      assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene, options);
+      assemble_model({relief.mesh, relief.inflation, relief.ordering, relief.scene}, options);
   ASSERT_FALSE(model.ok());
   EXPECT_EQ(model.error().code, ErrorCode::limit);
   relief.inflation.u[7] = std::numeric_limits<double>::quiet_NaN();
-  model = assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene, {});
+  model = assemble_model({relief.mesh, relief.inflation, relief.ordering, relief.scene}, {});
   ASSERT_FALSE(model.ok());
   EXPECT_EQ(model.error().code, ErrorCode::internal);
   EXPECT_EQ(model.error().where, "disc0");

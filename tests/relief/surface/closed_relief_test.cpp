@@ -12,7 +12,7 @@ namespace {
 Model assemble(const Relief& relief, const Scene& scene, Visibility visibility) {
   ModelOptions options;
   options.visibility = visibility;
-  auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, scene, options);
+  auto model = assemble_model({relief.layers, relief.inflation, relief.ordering, scene}, options);
   EXPECT_TRUE(model.ok()) << (model.ok() ? "" : to_string(model.error()));
   return model.ok() ? std::move(*model) : Model{};
 }

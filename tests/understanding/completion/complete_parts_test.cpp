@@ -4,7 +4,6 @@
 
 #include "kernel/image/components.h"
 #include "support/label_maps.h"
-#include "understanding/completion/clip_to_order.h"
 
 namespace relievo::understanding {
 namespace {

@@ -1,9 +1,9 @@
-#include "understanding/scene/relabel.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
+
+#include "understanding/scene/keep_edits.h"
 
 namespace relievo::understanding {
 namespace {

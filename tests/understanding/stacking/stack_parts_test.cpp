@@ -4,8 +4,6 @@
 
 #include "support/label_maps.h"
 #include "understanding/completion/complete_parts.h"
-#include "understanding/stacking/bulges.h"
-#include "understanding/stacking/junctions.h"
 
 namespace relievo::understanding {
 namespace {
@@ -104,8 +102,8 @@ TEST(Junctions, TheStraightContourIsInFront) {
   const PartRegions regions = find_regions(
       painted(200, 160, {box(20, 20, 180, 80), box(20, 80, 180, 140), box(60, 40, 100, 120)}));
   int seen = 0;
-  for (const JunctionCue& cue : find_junction_cues(regions))
-    if (cue.confidence > 0.9 && cue.upper == 2) ++seen;
+  for (const OrderArrow& cue : find_junction_cues(regions))
+    if (cue.confidence > 0.9 && cue.upper == regions.labels[2]) ++seen;
   EXPECT_GE(seen, 4);
 }
 
