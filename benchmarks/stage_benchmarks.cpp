@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
+#include "api/solid_of.h"
 #include "benchmarks/characters.h"
 #include "benchmarks/suites.h"
-#include "face/solid_of.h"
 #include "io/mesh/glb_encode.h"
 #include "io/mesh/threemf_encode.h"
 #include "kernel/base/workers.h"

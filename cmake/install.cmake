@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 set(RELIEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/relievo)
 
-install(TARGETS relievo_face relievo_kernel relievo_scene relievo_understanding relievo_relief relievo_io relievo_render relievo_solid
+install(TARGETS relievo_api relievo_kernel relievo_scene relievo_understanding relievo_relief relievo_io relievo_render relievo_solid
   EXPORT relievo_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
 install(TARGETS relievo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "api/inputs.h"
 #include "apps/cli/cost.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
-#include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/image/png.h"
 #include "io/maps/encode_maps.h"

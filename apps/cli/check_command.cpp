@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/inputs.h"
 #include "apps/cli/common_arguments.h"
 #include "apps/cli/cue_argument.h"
 #include "apps/cli/messages.h"
@@ -16,7 +17,6 @@
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/relief_arguments.h"
-#include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/image/png.h"
 #include "io/mesh/placement.h"

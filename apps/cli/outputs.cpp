@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "face/inputs.h"
+#include "api/inputs.h"
 #include "io/files/paths.h"
 #include "io/image/gif.h"
 #include "io/image/heif.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "api/solid_of.h"
 #include "apps/cli/cue_argument.h"
-#include "face/solid_of.h"
 #include "relief/finish/finish_model.h"
 #include "relief/surface/assemble_model.h"
 

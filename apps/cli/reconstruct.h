@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "api/inputs.h"
 #include "apps/cli/arguments.h"
-#include "face/inputs.h"
 #include "relief/finish/finish_model.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "api/inputs.h"
 #include "apps/cli/common_arguments.h"
 #include "apps/cli/cost.h"
 #include "apps/cli/messages.h"
@@ -9,7 +10,6 @@
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/relief_arguments.h"
-#include "face/inputs.h"
 #include "io/files/paths.h"
 #include "io/mesh/glb_decode.h"
 

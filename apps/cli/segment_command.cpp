@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "api/inputs.h"
 #include "apps/cli/common_arguments.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/report.h"
-#include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/files/paths.h"
 #include "io/image/animation.h"

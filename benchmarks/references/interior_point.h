@@ -1,7 +1,7 @@
 #pragma once
 
 #include "benchmarks/references/lagrange_active_set.h"
-#include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/active_set.h"
 
 namespace relievo::benchmarks {
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "api/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
-#include "face/inputs.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "kernel/base/stopwatch.h"

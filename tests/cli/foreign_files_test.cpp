@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "api/inputs.h"
 #include "cli/cli_test.h"
-#include "face/inputs.h"
 #include "kernel/geometry/polygon.h"
 
 namespace relievo {

@@ -62,7 +62,7 @@ const NameSet open_rooms = {"labels", "marks", "scene", "session", "finish", "ma
 const NameSet open_headers = {"areas/basins.h", "areas/find_basins.h", "joins/join_proposals.h"};
 
 struct Place {
-  /// relievo, kernel, scene, understanding, relief, io, lod, render, solid, face, apps, bindings,
+  /// relievo, kernel, scene, understanding, relief, io, lod, render, solid, api, apps, bindings,
   /// research, tests, benchmarks
   std::string top;
   std::string folder;  ///< below it
@@ -143,7 +143,7 @@ std::string check_solid(const Place& to) {
 
 /// Checks programs and bindings alike.
 std::string check_apps(const Place& from, const Place& to) {
-  for (const char* top : {"kernel", "scene", "io", "lod", "render", "solid", "face"})
+  for (const char* top : {"kernel", "scene", "io", "lod", "render", "solid", "api"})
     if (to.top == top || to.top == from.top) return "";
   if (!is_wing(to.top)) return from.top + " use the libraries only";
   if (is_handed_on(to) || is_verb(to) || is_open(to)) return "";
@@ -155,7 +155,7 @@ std::string check_apps(const Place& from, const Place& to) {
 std::string check_research(const Place& from, const Place& to) {
   if (to.top == "seams") return "";
   if (from.folder != "rivals") return to.top == "apps" ? "" : check_apps(from, to);
-  if (to.top == "io" || to.top == "solid" || to.top == "face" || to.folder == "compare")
+  if (to.top == "io" || to.top == "solid" || to.top == "api" || to.folder == "compare")
     return "rivals use the kernel, the stages, the renderer and themselves only";
   return check_apps(from, to);
 }
@@ -188,7 +188,7 @@ std::string include_violation(const std::string& from, const std::string& to) {
   if (source.top == "solid") return check_solid(target);
   if (source.top == "lod") return check_lod(target);
   if (source.top == "research" && source.folder != "tests") return check_research(source, target);
-  if (source.top == "apps" || source.top == "bindings" || source.top == "face")
+  if (source.top == "apps" || source.top == "bindings" || source.top == "api")
     return check_apps(source, target);
   if (target.top == "apps" || target.top == "bindings") return "nobody includes " + target.top;
   if (target.top == "research" && source.top != "research") return "nobody includes research";

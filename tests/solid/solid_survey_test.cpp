@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "face/solid_of.h"
+#include "api/solid_of.h"
 #include "io/support/temporary_folder.h"
 #include "relievo/read.h"
 #include "solid/solid_case.h"

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "face/inputs.h"
-#include "face/read_picture.h"
+#include "api/inputs.h"
+#include "api/read_picture.h"
 #include "io/files/paths.h"
 #include "io/image/animation.h"
 #include "io/image/decode_image.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "api/inputs.h"
 #include "apps/cli/arguments.h"
 #include "apps/cli/sequence/sprite_sheet.h"
-#include "face/inputs.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "kernel/cholesky/sparse_cholesky.h"
-#include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/active_set.h"
 #include "relievo/run_context.h"
 
 namespace relievo {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/active_set.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/ordering/depth_system.h"
 #include "relievo/run_context.h"

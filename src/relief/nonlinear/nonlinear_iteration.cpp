@@ -157,7 +157,7 @@ Status iterate(NonlinearMap& map, double growth, const NonlinearOptions& options
 
 }  // namespace
 
-Status iterate_nonlinear(const InflationResponse& response, DepthSystem& depth, BoundStep& bound,
+Status iterate_nonlinear(const InflationResponse& response, DepthSystem& depth, BoundaryStep& bound,
                          const NonlinearOptions& options, const RunContext& context,
                          NonlinearRun& run) {
   const NonlinearModel& model = response.model();

@@ -26,7 +26,7 @@ struct NonlinearRun {
 /// the steps to the report and sets its status and residual. If no attempt converges, the state is
 /// that of the start. `bound` must be prepared. Fails only when cancelled, or if the contact has no
 /// solution.
-Status iterate_nonlinear(const InflationResponse& response, DepthSystem& depth, BoundStep& bound,
+Status iterate_nonlinear(const InflationResponse& response, DepthSystem& depth, BoundaryStep& bound,
                          const NonlinearOptions& options, const RunContext& context,
                          NonlinearRun& run);
 

@@ -6,7 +6,7 @@
 //   or, where a gap on B is open:  f = 0,  e = -+ T_gap . q = 0        T_gap: column of T
 //
 // Steps: q from the contact for the present f (ContactStep); phi; s from L_II s = phi; y = f on B
-// by the stiffness S + diag(sigma) (BoundStep); u from s and u_B.
+// by the stiffness S + diag(sigma) (BoundaryStep); u from s and u_B.
 //
 // At mixed nodes, where u may have either sign, df/du would be infinite at u = 0. There f is
 // unknown in the contact, with the inflation's resistance to a change y of f linearised,
@@ -20,7 +20,7 @@
 //   q               Contact::force
 //   phi             NonlinearState::load, next_load
 //   s, L_BI s       InflationResponse::excess, boundary_slope
-//   e, sigma        gradient_on_bound, sigma_on_bound
+//   e, sigma        gradient_on_boundary, sigma_on_boundary
 //   C               compliance_
 //   k, p            mixed_stiffness, mixed_linear_term
 
@@ -64,8 +64,8 @@ std::vector<int> mixed_of(const NonlinearModel& model, std::vector<int> nodes) {
 
 }  // namespace
 
-NonlinearMap::NonlinearMap(const InflationResponse& response, DepthSystem& depth, BoundStep& bound,
-                           const StepControl& control)
+NonlinearMap::NonlinearMap(const InflationResponse& response, DepthSystem& depth,
+                           BoundaryStep& bound, const StepControl& control)
     : model_(response.model()),
       response_(response),
       smooth_root_(control.width),
@@ -88,7 +88,7 @@ VectorXd NonlinearMap::pack(const NonlinearState& state) const {
     const double u = state.u[contact_nodes_[i]];
     x[i] = model_.sign[contact_nodes_[i]] * u < 0 ? 0 : u;
   }
-  x.segment(contacts, bound_count_) = y_on_bound(state);
+  x.segment(contacts, bound_count_) = y_on_boundary(state);
   for (Index i = 0; i < compliance_.size(); ++i)
     x[contacts + bound_count_ + i] = state.load[mixed_nodes_[i]] * compliance_[i];
   return x;
@@ -120,13 +120,13 @@ SolveStatus NonlinearMap::apply(NonlinearState& state, NonlinearStep& step,
   state.load = next_load(f, state, contact);
   const VectorXd s = response_.excess(state.load);
   const VectorXd boundary_slope = response_.boundary_slope(s);
-  VectorXd y = y_on_bound(state);
+  VectorXd y = y_on_boundary(state);
   pulling_ = pulling_gaps(y, contact);
-  const SolveStatus moved = bound_step_.move(gradient_on_bound(y, contact, boundary_slope),
-                                             sigma_on_bound(y, boundary_slope), context, y);
+  const SolveStatus moved = bound_step_.move(gradient_on_boundary(y, contact, boundary_slope),
+                                             sigma_on_boundary(y, boundary_slope), context, y);
   if (moved != SolveStatus::solved) return moved;
   limit_gaps(state, y);
-  const VectorXd u_bound = u_on_bound(y);
+  const VectorXd u_bound = u_on_boundary(y);
   state.u = response_.inflate(s, u_bound);
   keep_gaps(y, state);
   step.factorisations = contact.factorisations;
@@ -136,7 +136,7 @@ SolveStatus NonlinearMap::apply(NonlinearState& state, NonlinearStep& step,
   return SolveStatus::solved;
 }
 
-VectorXd NonlinearMap::y_on_bound(const NonlinearState& state) const {
+VectorXd NonlinearMap::y_on_boundary(const NonlinearState& state) const {
   VectorXd y(bound_count_);
   for (Index i = 0; i < bound_count_; ++i) y[i] = signed_root(state.u[model_.bound[i]]);
   return y;
@@ -169,7 +169,7 @@ void NonlinearMap::limit_gaps(const NonlinearState& state, VectorXd& y) const {
 }
 
 /// Returns u on B, 0 where the gap is open.
-VectorXd NonlinearMap::u_on_bound(const VectorXd& y) const {
+VectorXd NonlinearMap::u_on_boundary(const VectorXd& y) const {
   VectorXd u = y.cwiseProduct(y.cwiseAbs());
   for (Index i = 0; i < bound_count_; ++i)
     if (is_open(i, y[i])) u[i] = 0;
@@ -194,14 +194,14 @@ VectorXd NonlinearMap::opening(const VectorXd& y) const {
 VectorXd NonlinearMap::known_f(const NonlinearState& state) const {
   VectorXd f = fixed_f_;
   for (const int n : contact_nodes_) f[n] = root(n).f(state.u[n]);
-  const VectorXd y = y_on_bound(state);
+  const VectorXd y = y_on_boundary(state);
   for (Index i = 0; i < bound_count_; ++i) f[model_.bound[i]] = is_open(i, y[i]) ? 0 : y[i];
   return f - opening(y);
 }
 
 /// Returns e, #B.
-VectorXd NonlinearMap::gradient_on_bound(const VectorXd& y, const Contact& contact,
-                                         const VectorXd& boundary_slope) const {
+VectorXd NonlinearMap::gradient_on_boundary(const VectorXd& y, const Contact& contact,
+                                            const VectorXd& boundary_slope) const {
   VectorXd gradient(bound_count_);
   for (Index i = 0; i < bound_count_; ++i) {
     const int n = model_.bound[i];
@@ -218,7 +218,7 @@ VectorXd NonlinearMap::gradient_on_bound(const VectorXd& y, const Contact& conta
 
 /// Returns sigma, #B: the derivative of the first two terms of e, or a larger value where that
 /// would be too small or negative.
-VectorXd NonlinearMap::sigma_on_bound(const VectorXd& y, const VectorXd& boundary_slope) const {
+VectorXd NonlinearMap::sigma_on_boundary(const VectorXd& y, const VectorXd& boundary_slope) const {
   VectorXd sigma(bound_count_);
   for (Index i = 0; i < bound_count_; ++i) {
     const int n = model_.bound[i];
@@ -235,7 +235,7 @@ VectorXd NonlinearMap::sigma_on_bound(const VectorXd& y, const VectorXd& boundar
 /// The contact step knows f only at contact nodes and on B, so the other nodes get it here.
 void NonlinearMap::find_heights(NonlinearState& state) const {
   state.h = contact_step_.heights();
-  const VectorXd rise = opening(y_on_bound(state)) / model_.metric.scale;
+  const VectorXd rise = opening(y_on_boundary(state)) / model_.metric.scale;
   for (Index n = 0; n < rise.size(); ++n) state.h[n] += rise[n];
   for (const int n : other_nodes_) state.h[n] += signed_root(state.u[n]) / model_.metric.scale;
 }

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "relief/nonlinear/bound_step.h"
+#include "relief/nonlinear/boundary_step.h"
 #include "relief/nonlinear/contact_step.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/nonlinear/nonlinear_solution.h"
@@ -14,7 +14,7 @@ namespace relievo::relief {
 
 /// The state of the iteration, in scene units.
 struct NonlinearState {
-  /// #N, u. At nodes of B with a lifting gap it is y|y| (BoundStep): an open gap has the wrong
+  /// #N, u. At nodes of B with a lifting gap it is y|y| (BoundaryStep): an open gap has the wrong
   /// sign.
   Eigen::VectorXd u;
   Eigen::VectorXd load;   ///< #N, phi: load of the depth pairs on u
@@ -24,7 +24,7 @@ struct NonlinearState {
 /// How cautious the steps are.
 struct StepControl {
   double compliance = 1;  ///< share of the compliance of mixed nodes that counts; larger is slower
-  double stiffness = 0;   ///< added stiffness on B (BoundStep::add_stiffness)
+  double stiffness = 0;   ///< added stiffness on B (BoundaryStep::add_stiffness)
   double width = 0;       ///< of the smooth root where u may have either sign, scene units
 };
 
@@ -36,7 +36,7 @@ class NonlinearMap {
  public:
   /// Starts from the active set of `depth`, and keeps active sets and factors in the arguments from
   /// one step to the next. `bound` must be prepared.
-  NonlinearMap(const InflationResponse& response, DepthSystem& depth, BoundStep& bound,
+  NonlinearMap(const InflationResponse& response, DepthSystem& depth, BoundaryStep& bound,
                const StepControl& control);
 
   /// Analyses the contact problem. Returns false if `context` is cancelled.
@@ -61,10 +61,10 @@ class NonlinearMap {
 
  private:
   Eigen::VectorXd known_f(const NonlinearState& state) const;
-  Eigen::VectorXd y_on_bound(const NonlinearState& state) const;
+  Eigen::VectorXd y_on_boundary(const NonlinearState& state) const;
   bool is_open(Eigen::Index i, double y) const;
   Eigen::VectorXd opening(const Eigen::VectorXd& y) const;
-  Eigen::VectorXd u_on_bound(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd u_on_boundary(const Eigen::VectorXd& y) const;
   void keep_gaps(const Eigen::VectorXd& y, NonlinearState& state) const;
   void limit_gaps(const NonlinearState& state, Eigen::VectorXd& y) const;
   std::vector<int> pulling_gaps(const Eigen::VectorXd& y, const Contact& contact) const;
@@ -72,10 +72,10 @@ class NonlinearMap {
   Eigen::VectorXd mixed_linear_term(const NonlinearState& state) const;
   Eigen::VectorXd next_load(const Eigen::VectorXd& f, const NonlinearState& state,
                             const Contact& contact) const;
-  Eigen::VectorXd gradient_on_bound(const Eigen::VectorXd& y, const Contact& contact,
+  Eigen::VectorXd gradient_on_boundary(const Eigen::VectorXd& y, const Contact& contact,
+                                       const Eigen::VectorXd& boundary_slope) const;
+  Eigen::VectorXd sigma_on_boundary(const Eigen::VectorXd& y,
                                     const Eigen::VectorXd& boundary_slope) const;
-  Eigen::VectorXd sigma_on_bound(const Eigen::VectorXd& y,
-                                 const Eigen::VectorXd& boundary_slope) const;
   Eigen::VectorXd mixed_compliance(double share) const;
 
   const SmoothRoot& root(int node) const {
@@ -92,7 +92,7 @@ class NonlinearMap {
   Eigen::VectorXd fixed_f_;         ///< #N, f where it is neither on I nor on B; 0 elsewhere
   ContactStep contact_step_;
   const SparseMatrix& T_;  ///< column: change of the heights when a gap opens
-  BoundStep& bound_step_;
+  BoundaryStep& bound_step_;
   Eigen::Index bound_count_;  ///< #B
   std::vector<int> pulling_;
   Eigen::VectorXd compliance_;  ///< #mixed nodes, C: change of u for a change of load

@@ -13,7 +13,7 @@
 //   M, L, M c    NonlinearModel::mass, L, load
 //   B, m         NonlinearModel::bound, bound_mass
 //   eps, b       ShiftMetric
-//   y            BoundStep; sgn(y) y^2 is stored in u
+//   y            BoundaryStep; sgn(y) y^2 is stored in u
 //
 // Starts of the non-linear iteration from an earlier one, on any mesh:
 //
@@ -221,7 +221,7 @@ class NonlinearSolver {
  private:
   /// Iterates. Obtuse faces can give u the wrong sign; fixes it at 0 there and continues.
   Status iterate(const NonlinearOptions& options) {
-    BoundStep bound(model_, system_.depth);
+    BoundaryStep bound(model_, system_.depth);
     if (Status status = prepare(bound); !status) return status;
     for (int i = 0;; ++i) {
       if (!response_) response_.emplace(model_);
@@ -290,7 +290,7 @@ class NonlinearSolver {
     return model_.sign[n] < 0 ? -u[n] : u[n];
   }
 
-  Status prepare(BoundStep& bound) {
+  Status prepare(BoundaryStep& bound) {
     SolveStatus status = SolveStatus::solved;
     run_tasks(2, [&](int task) {
       if (task == 0)

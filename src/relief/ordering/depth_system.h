@@ -7,7 +7,7 @@
 
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/cholesky/sparse_cholesky.h"
-#include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/active_set.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_forest.h"
 #include "relief/ordering/ordering.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "kernel/geometry/triangles.h"
-#include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/active_set.h"
 #include "relievo/point.h"
 
 namespace relievo::relief {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "scene/part_ids.h"
-#include "understanding/marks/figures.h"
 #include "understanding/marks/propose_parts.h"
+#include "understanding/marks/silhouettes.h"
 
 namespace relievo::understanding {
 namespace {
@@ -31,7 +31,8 @@ bool some_overlap(const std::vector<Part>& parts) {
 
 bool holds_several_parts(std::vector<Mark> layer, const Box2& canvas) {
   std::vector<Palette> colors;
-  const std::vector<Part> parts = propose_parts(group_figures(std::move(layer), canvas), colors);
+  const std::vector<Part> parts =
+      propose_parts(group_silhouettes(std::move(layer), canvas), colors);
   return parts.size() >= parts_of_drawing && some_overlap(parts);
 }
 
@@ -45,10 +46,12 @@ Status propose(LayeredDrawing& drawing, size_t max_marks) {
   drawing.line_art =
       !drawing.marks.empty() && std::none_of(drawing.marks.begin(), drawing.marks.end(),
                                              [](const Mark& mark) { return mark.filled; });
-  const FigureList figures = group_figures(std::move(drawing.marks), canvas_of(drawing.scene));
-  drawing.scene.parts = propose_parts(figures, drawing.colors);
+  const SilhouetteList silhouettes =
+      group_silhouettes(std::move(drawing.marks), canvas_of(drawing.scene));
+  drawing.scene.parts = propose_parts(silhouettes, drawing.colors);
   drawing.proposed = true;
-  drawing.warnings.insert(drawing.warnings.end(), figures.notes.begin(), figures.notes.end());
+  drawing.warnings.insert(drawing.warnings.end(), silhouettes.notes.begin(),
+                          silhouettes.notes.end());
   return Done{};
 }
 

@@ -89,24 +89,24 @@ constexpr double speck_area = 1e-4;  ///< of the smallest ring or hole
 /// Largest distance of ink from the part that it goes with / diagonal of the drawing.
 constexpr double pen_reach = 0.045;
 
-/// Fractions of the area of the figure itself.
+/// Fractions of the area of the silhouette itself.
 constexpr double most_hidden = 0.9;
 constexpr double least_protrusion = 0.02;
 constexpr double mostly_inside = 0.75;
 
 /// A frame has at least so many holes; its area / that of its silhouette; the silhouette / the area
-/// of each figure in its holes; the filled share of the holes.
+/// of each silhouette in its holes; the filled share of the holes.
 constexpr size_t least_holes = 2;
 constexpr double least_frame = 0.25;
 constexpr double least_framed = 0.5;
 constexpr double mostly_filled = 0.9;
 
-/// Evidence for or against a figure as a part of its own. Fractions are of its area unless stated
-/// otherwise.
+/// Evidence for or against a silhouette as a part of its own. Fractions are of its area unless
+/// stated otherwise.
 struct Evidence {
   double size = 0;          ///< area / area of the drawing
-  double visible = 0;       ///< area not covered by later figures / area of the drawing
-  double hidden = 0;        ///< fraction covered by later figures
+  double visible = 0;       ///< area not covered by later silhouettes / area of the drawing
+  double hidden = 0;        ///< fraction covered by later silhouettes
   double inside = 0;        ///< fraction over earlier parts
   double protrusion = 0;    ///< fraction beside earlier parts, slivers left out
   bool crossing = false;    ///< lies over two parts, or over the edge of a patch
@@ -125,77 +125,80 @@ size_t hole_count(const Region& region) {
                                            [](const Ring& ring) { return signed_area(ring) < 0; }));
 }
 
-/// Returns whether the figure is a frame: figures behind fill its holes, like the plates between
-/// the ribs of a shell, or the panes of a window.
-bool is_frame(const std::vector<Figure>& figures, size_t i) {
-  const Region& region = figures[i].region;
+/// Returns whether the silhouette is a frame: silhouettes behind fill its holes, like the plates
+/// between the ribs of a shell, or the panes of a window.
+bool is_frame(const std::vector<Silhouette>& silhouettes, size_t i) {
+  const Region& region = silhouettes[i].region;
   if (hole_count(region) < least_holes) return false;
   const Region whole = without_holes(region);
   if (area(region) < least_frame * area(whole)) return false;
   std::vector<Region> behind;
   for (size_t k = 0; k < i; ++k)
-    if (area(figures[k].region) * least_framed < area(whole)) behind.push_back(figures[k].region);
+    if (area(silhouettes[k].region) * least_framed < area(whole))
+      behind.push_back(silhouettes[k].region);
   return fraction_of(subtract(whole, region), unite(behind)) > mostly_filled;
 }
 
-/// Fills the holes of frames: the figures that show through them are paint on the frame's surface.
-std::vector<Figure> without_frames(std::vector<Figure> figures) {
-  for (size_t i = 0; i < figures.size(); ++i)
-    if (is_frame(figures, i)) figures[i].region = without_holes(figures[i].region);
-  return figures;
+/// Fills the holes of frames: the silhouettes that show through them are paint on the frame's
+/// surface.
+std::vector<Silhouette> without_frames(std::vector<Silhouette> silhouettes) {
+  for (size_t i = 0; i < silhouettes.size(); ++i)
+    if (is_frame(silhouettes, i)) silhouettes[i].region = without_holes(silhouettes[i].region);
+  return silhouettes;
 }
 
-/// Decides figure by figure, back to front, whether it is a part.
+/// Decides silhouette by silhouette, back to front, whether it is a part.
 class Proposer {
  public:
-  explicit Proposer(const FigureList& list) : list_(list), total_(area(list.covered)) {
-    for (const Figure& figure : list.figures) boxes_.push_back(bounding_box(figure.region));
+  explicit Proposer(const SilhouetteList& list) : list_(list), total_(area(list.covered)) {
+    for (const Silhouette& silhouette : list.silhouettes)
+      boxes_.push_back(bounding_box(silhouette.region));
   }
 
   std::vector<Part> run(std::vector<Palette>& colors) {
-    for (size_t i = 0; i < list_.figures.size(); ++i) {
-      const Figure& figure = list_.figures[i];
-      const bool speck = area(figure.region) < least_visible * total_;
-      if (!speck && is_part(figure, weigh(i))) {
-        parts_.push_back({figure.name, figure.region});
-        colors_.push_back(figure.color);
+    for (size_t i = 0; i < list_.silhouettes.size(); ++i) {
+      const Silhouette& silhouette = list_.silhouettes[i];
+      const bool speck = area(silhouette.region) < least_visible * total_;
+      if (!speck && is_part(silhouette, weigh(i))) {
+        parts_.push_back({silhouette.name, silhouette.region});
+        colors_.push_back(silhouette.color);
       } else {
-        patches_.push_back(figure.region);
+        patches_.push_back(silhouette.region);
       }
     }
     if (parts_.empty() && !list_.covered.empty()) {
       parts_.push_back({"", list_.covered});
-      colors_.push_back(list_.figures.empty() ? Color() : list_.figures.front().color);
+      colors_.push_back(list_.silhouettes.empty() ? Color() : list_.silhouettes.front().color);
     }
     for (const Color& c : colors_) colors.push_back({{c.r, c.g, c.b}});
     return std::move(parts_);
   }
 
  private:
-  /// A figure that is hardly visible is no part. One that protrudes beyond the parts below is a
+  /// A silhouette that is hardly visible is no part. One that protrudes beyond the parts below is a
   /// part, unless it is a patch without an outline that mostly follows them. One inside them is a
   /// part if it crosses something, has an outline of its own, or is a ball of another colour.
-  static bool is_part(const Figure& figure, const Evidence& e) {
+  static bool is_part(const Silhouette& silhouette, const Evidence& e) {
     if (e.hidden > most_hidden || e.visible < least_visible) return false;
     const bool contained = e.protrusion < least_protrusion;
-    if (!contained) return figure.outlined || e.inside < mostly_inside || e.compact;
+    if (!contained) return silhouette.outlined || e.inside < mostly_inside || e.compact;
     if (e.crossing && e.visible >= least_crossing) return true;
-    if (figure.outlined) return e.visible >= least_contained && !e.pale_patch;
+    if (silhouette.outlined) return e.visible >= least_contained && !e.pale_patch;
     return e.ball && e.compact && !e.at_edge;
   }
 
   Evidence weigh(size_t i) const {
-    const Figure& figure = list_.figures[i];
-    const double own = area(figure.region);
+    const Silhouette& silhouette = list_.silhouettes[i];
+    const double own = area(silhouette.region);
     Evidence e;
     e.size = own / total_;
-    e.hidden = fraction_of(figure.region, above(i));
+    e.hidden = fraction_of(silhouette.region, above(i));
     e.visible = (1 - e.hidden) * e.size;
-    const Region beside = subtract(figure.region, below(boxes_[i]));
+    const Region beside = subtract(silhouette.region, below(boxes_[i]));
     e.inside = 1 - area(beside) / own;
     e.protrusion = area(grow(beside, -0.0015 * list_.diagonal)) / own;
-    e.compact = area(grow(figure.region, -0.25 * std::sqrt(own))) > 0;
-    weigh_against_host(figure, i, e);
+    e.compact = area(grow(silhouette.region, -0.25 * std::sqrt(own))) > 0;
+    weigh_against_host(silhouette, i, e);
     return e;
   }
 
@@ -208,23 +211,23 @@ class Proposer {
     return unite(near);
   }
 
-  /// Returns the area of the figures in front of figure i that are near.
+  /// Returns the area of the silhouettes in front of silhouette i that are near.
   Region above(size_t i) const {
     std::vector<Region> near;
     for (size_t j = i + 1; j < boxes_.size(); ++j) {
-      if (boxes_meet(boxes_[i], boxes_[j])) near.push_back(list_.figures[j].region);
+      if (boxes_meet(boxes_[i], boxes_[j])) near.push_back(list_.silhouettes[j].region);
     }
     return unite(near);
   }
 
-  void weigh_against_host(const Figure& figure, size_t i, Evidence& e) const {
+  void weigh_against_host(const Silhouette& silhouette, size_t i, Evidence& e) const {
     int seen = 0;
     int host = -1;
     double most = 0;
     Region front;
     for (size_t k = parts_.size(); k-- > 0;) {
-      if (!boxes_meet(bounding_box(figure.region), bounding_box(parts_[k].outline))) continue;
-      const double over = fraction_of(figure.region, subtract(parts_[k].outline, front));
+      if (!boxes_meet(bounding_box(silhouette.region), bounding_box(parts_[k].outline))) continue;
+      const double over = fraction_of(silhouette.region, subtract(parts_[k].outline, front));
       front = unite(front, parts_[k].outline);
       if (over > 0.15) ++seen;
       if (over <= most) continue;
@@ -232,56 +235,57 @@ class Proposer {
       host = static_cast<int>(k);
     }
     if (host < 0) return;
-    const double own = area(figure.region);
+    const double own = area(silhouette.region);
     const double host_area = area(parts_[host].outline);
     const Color& host_color = colors_[host];
-    e.crossing = seen > 1 || crosses_patch(figure);
+    e.crossing = seen > 1 || crosses_patch(silhouette);
     const Region core = grow(parts_[host].outline, -0.006 * list_.diagonal);
-    e.at_edge = fraction_of(figure.region, core) < 0.98;
+    e.at_edge = fraction_of(silhouette.region, core) < 0.98;
     e.ball = e.size >= least_ball && own < 0.15 * host_area &&
-             color_distance(figure.color, host_color) > 0.3;
-    e.pale_patch = own > 0.1 * host_area && luminance(figure.color) > luminance(host_color) + 0.2 &&
+             color_distance(silhouette.color, host_color) > 0.3;
+    e.pale_patch = own > 0.1 * host_area &&
+                   luminance(silhouette.color) > luminance(host_color) + 0.2 &&
                    !carries_something(i);
   }
 
-  /// Returns whether the figure, in one piece, lies over the edge of a patch at least as large.
-  bool crosses_patch(const Figure& figure) const {
-    const double own = area(figure.region);
-    const Box2 box = bounding_box(figure.region);
+  /// Returns whether the silhouette, in one piece, lies over the edge of a patch at least as large.
+  bool crosses_patch(const Silhouette& silhouette) const {
+    const double own = area(silhouette.region);
+    const Box2 box = bounding_box(silhouette.region);
     const bool over_edge = std::any_of(patches_.begin(), patches_.end(), [&](const Region& patch) {
       if (area(patch) < own || !boxes_meet(box, bounding_box(patch))) return false;
-      const double over = fraction_of(figure.region, patch);
+      const double over = fraction_of(silhouette.region, patch);
       return over > 0.1 && over < 0.9;
     });
-    return over_edge && pieces(figure.region).size() == 1;
+    return over_edge && pieces(silhouette.region).size() == 1;
   }
 
-  /// Returns whether a later figure lies inside figure i.
+  /// Returns whether a later silhouette lies inside silhouette i.
   bool carries_something(size_t i) const {
-    for (size_t j = i + 1; j < list_.figures.size(); ++j) {
-      const Region& other = list_.figures[j].region;
+    for (size_t j = i + 1; j < list_.silhouettes.size(); ++j) {
+      const Region& other = list_.silhouettes[j].region;
       if (!boxes_meet(boxes_[i], boxes_[j])) continue;
-      if (area(other) < 0.5 * area(list_.figures[i].region) &&
-          fraction_of(other, list_.figures[i].region) > 0.9) {
+      if (area(other) < 0.5 * area(list_.silhouettes[i].region) &&
+          fraction_of(other, list_.silhouettes[i].region) > 0.9) {
         return true;
       }
     }
     return false;
   }
 
-  const FigureList& list_;
+  const SilhouetteList& list_;
   double total_ = 0;
-  std::vector<Box2> boxes_;  ///< of the figures
+  std::vector<Box2> boxes_;  ///< of the silhouettes
   std::vector<Part> parts_;
   std::vector<Color> colors_;    ///< colour of each part
-  std::vector<Region> patches_;  ///< figures that are no parts
+  std::vector<Region> patches_;  ///< silhouettes that are no parts
 };
 
 }  // namespace
 
-std::vector<Part> propose_parts(const FigureList& drawn, std::vector<Palette>& colors) {
-  FigureList list = drawn;
-  list.figures = without_frames(std::move(list.figures));
+std::vector<Part> propose_parts(const SilhouetteList& drawn, std::vector<Palette>& colors) {
+  SilhouetteList list = drawn;
+  list.silhouettes = without_frames(std::move(list.silhouettes));
   std::vector<Palette> found;
   std::vector<Part> parts = Proposer(list).run(found);
   cover_ink(parts, list.ink, pen_reach * list.diagonal);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/svg/svg_test_support.h"
-#include "understanding/marks/figures.h"
+#include "understanding/marks/silhouettes.h"
 
 namespace relievo::understanding {
 namespace {

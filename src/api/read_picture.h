@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "face/inputs.h"
+#include "api/inputs.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"

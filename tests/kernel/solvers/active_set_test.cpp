@@ -1,4 +1,4 @@
-#include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/active_set.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

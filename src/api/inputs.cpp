@@ -1,10 +1,10 @@
-#include "face/inputs.h"
+#include "api/inputs.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 
-#include "face/read_picture.h"
+#include "api/read_picture.h"
 #include "io/archive/zip_archive.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernel/cholesky/sparse_cholesky.h"
-#include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/active_set.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/ordering/depth_system.h"
 #include "relievo/run_context.h"
@@ -19,10 +19,11 @@ namespace relievo::relief {
 /// The steps work on y. At a node without a lifting gap y = f. At a node with one, f >= 0 and gap
 /// >= 0 are complementary, and y = f if f > 0, otherwise y = -gap. (All with the sign of the
 /// surface.)
-class BoundStep {
+class BoundaryStep {
  public:
   /// `depth`: the depth order of the pairs, analysed.
-  BoundStep(const NonlinearModel& model, const DepthSystem& depth) : model_(model), depth_(depth) {}
+  BoundaryStep(const NonlinearModel& model, const DepthSystem& depth)
+      : model_(model), depth_(depth) {}
 
   /// Computes S: one analysis and one factorisation.
   SolveStatus prepare(const RunContext& context);

@@ -1,4 +1,4 @@
-#include "understanding/marks/figures.h"
+#include "understanding/marks/silhouettes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,47 +75,49 @@ bool same_silhouette(const Region& p, const Region& q, double diagonal) {
   return rest < 0.02 * larger;
 }
 
-/// Largest strand / area of the drawing. Neighbouring figures of one group and colour that are
+/// Largest strand / area of the drawing. Neighbouring silhouettes of one group and colour that are
 /// smaller, like strands of hair, become one.
 constexpr double strand_area = 0.02;
 
-/// Adds the mark to the topmost figure of the same silhouette; returns false where there is none.
-bool join_figure(std::vector<Figure>& figures, const Mark& mark, bool line, double diagonal) {
-  const Region silhouette = line ? without_holes(mark.region) : mark.region;
-  if (line && area(silhouette) < 1.5 * area(mark.region)) return false;
-  for (size_t i = figures.size(); i-- > 0;) {
-    Figure& figure = figures[i];
-    if (!same_silhouette(silhouette, figure.region, diagonal)) continue;
-    figure.outlined |= mark.outlined || color_distance(mark.color, figure.color) > color_contrast;
-    figure.region = unite(figure.region, silhouette);
-    if (!line) figure.color = mark.color;
+/// Adds the mark to the topmost silhouette that it shares; returns false where there is none.
+bool join_silhouette(std::vector<Silhouette>& silhouettes, const Mark& mark, bool line,
+                     double diagonal) {
+  const Region filled = line ? without_holes(mark.region) : mark.region;
+  if (line && area(filled) < 1.5 * area(mark.region)) return false;
+  for (size_t i = silhouettes.size(); i-- > 0;) {
+    Silhouette& silhouette = silhouettes[i];
+    if (!same_silhouette(filled, silhouette.region, diagonal)) continue;
+    silhouette.outlined |=
+        mark.outlined || color_distance(mark.color, silhouette.color) > color_contrast;
+    silhouette.region = unite(silhouette.region, filled);
+    if (!line) silhouette.color = mark.color;
     return true;
   }
   return false;
 }
 
 /// Returns whether both are strands of one tuft.
-bool are_strands(const Figure& p, const Figure& q, double total) {
+bool are_strands(const Silhouette& p, const Silhouette& q, double total) {
   return p.group == q.group && !p.outlined && !q.outlined &&
          color_distance(p.color, q.color) < color_contrast &&
          area(q.region) < strand_area * total && !intersect(p.region, q.region).empty();
 }
 
-void merge_strands(FigureList& list) {
+void merge_strands(SilhouetteList& list) {
   const double total = area(list.covered);
-  std::vector<Figure> merged;
-  for (Figure& figure : list.figures) {
+  std::vector<Silhouette> merged;
+  for (Silhouette& silhouette : list.silhouettes) {
     const auto siblings =
-        std::count_if(list.figures.begin(), list.figures.end(),
-                      [&](const Figure& other) { return other.group == figure.group; });
-    const bool tuft = 2 * siblings < std::ssize(list.figures) && figure.group >= 0;
-    if (tuft && !merged.empty() && are_strands(merged.back(), figure, total)) {
-      merged.back().region = unite(merged.back().region, figure.region);
+        std::count_if(list.silhouettes.begin(), list.silhouettes.end(),
+                      [&](const Silhouette& other) { return other.group == silhouette.group; });
+    const bool tuft = 2 * siblings < std::ssize(list.silhouettes) && silhouette.group >= 0;
+    if (tuft && !merged.empty() && are_strands(merged.back(), silhouette, total)) {
+      merged.back().region = unite(merged.back().region, silhouette.region);
     } else {
-      merged.push_back(figure);
+      merged.push_back(silhouette);
     }
   }
-  list.figures = std::move(merged);
+  list.silhouettes = std::move(merged);
 }
 
 bool is_left_out(MarkRole role) {
@@ -237,7 +239,7 @@ class RoleFinder {
     }
   }
 
-  /// Returns whether the mark is the dark rim of one fill, with which it is one figure.
+  /// Returns whether the mark is the dark rim of one fill, with which it is one silhouette.
   bool has_twin(size_t i) const {
     for (size_t j = 0; j < marks_.size(); ++j)
       if (j != i && is_shape(j) && marks_[j].filled &&
@@ -312,9 +314,9 @@ class RoleFinder {
 
 }  // namespace
 
-FigureList group_figures(std::vector<Mark> marks, const Box2& canvas) {
+SilhouetteList group_silhouettes(std::vector<Mark> marks, const Box2& canvas) {
   const std::vector<MarkRole> roles = RoleFinder(marks, canvas).run();
-  FigureList list;
+  SilhouetteList list;
   std::vector<Region> all;
   std::vector<Region> ink;
   for (size_t i = 0; i < marks.size(); ++i) {
@@ -331,9 +333,10 @@ FigureList group_figures(std::vector<Mark> marks, const Box2& canvas) {
   for (size_t i = 0; i < marks.size(); ++i) {
     Mark& mark = marks[i];
     const bool line = roles[i] != MarkRole::shape;
-    if (is_left_out(roles[i]) || join_figure(list.figures, mark, line, list.diagonal) || line)
+    if (is_left_out(roles[i]) || join_silhouette(list.silhouettes, mark, line, list.diagonal) ||
+        line)
       continue;
-    list.figures.push_back(
+    list.silhouettes.push_back(
         {std::move(mark.name), mark.group, mark.color, std::move(mark.region), mark.outlined});
   }
   merge_strands(list);

@@ -1,4 +1,4 @@
-#include "face/read_picture.h"
+#include "api/read_picture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,12 +12,12 @@
 //
 //   letter          in the code (all / lambda_shift)
 //   S               result of eliminate_heights; its diagonal schur_diagonal_
-//   sigma           sigma_, from NonlinearMap::sigma_on_bound
+//   sigma           sigma_, from NonlinearMap::sigma_on_boundary
 //   K_B             qp_.K, with signs
-//   e               gradient, from NonlinearMap::gradient_on_bound
+//   e               gradient, from NonlinearMap::gradient_on_boundary
 //   y0, y           start, y in move
 
-#include "relief/nonlinear/bound_step.h"
+#include "relief/nonlinear/boundary_step.h"
 
 #include <map>
 #include <numeric>
@@ -91,7 +91,7 @@ SparseMatrix lower_triangle(const MatrixXd& A) {
 }  // namespace
 
 /// Computes S / lambda_shift for y = f.
-SolveStatus BoundStep::eliminate_heights(const RunContext& context, MatrixXd& S) const {
+SolveStatus BoundaryStep::eliminate_heights(const RunContext& context, MatrixXd& S) const {
   ShiftMatrix matrix = make_shift_matrix(model_, depth_, model_.bound);
   const VectorXd stiffness = matrix.diagonal;  // any that makes the matrix definite
   set_stiffness(matrix, stiffness, matrix.K);
@@ -110,7 +110,7 @@ SolveStatus BoundStep::eliminate_heights(const RunContext& context, MatrixXd& S)
   return SolveStatus::solved;
 }
 
-SolveStatus BoundStep::prepare(const RunContext& context) {
+SolveStatus BoundaryStep::prepare(const RunContext& context) {
   if (model_.bound.empty()) return SolveStatus::solved;
   MatrixXd S;
   if (const SolveStatus status = eliminate_heights(context, S); status != SolveStatus::solved)
@@ -127,14 +127,14 @@ SolveStatus BoundStep::prepare(const RunContext& context) {
   return SolveStatus::solved;
 }
 
-std::vector<uint8_t> BoundStep::open_at(const VectorXd& y) const {
+std::vector<uint8_t> BoundaryStep::open_at(const VectorXd& y) const {
   std::vector<uint8_t> open(model_.bound.size(), 0);
   for (size_t i = 0; i < open.size(); ++i)
     open[i] = model_.lifting_gap[i] >= 0 && y[static_cast<Index>(i)] < 0;
   return open;
 }
 
-void BoundStep::set_sigma(const VectorXd& sigma) {
+void BoundaryStep::set_sigma(const VectorXd& sigma) {
   const auto change = (sigma - sigma_).cwiseAbs().array();
   if ((change <= tolerated_change * (diagonal_ + sigma_).array()).all()) return;
   sigma_ = sigma;
@@ -143,7 +143,7 @@ void BoundStep::set_sigma(const VectorXd& sigma) {
 
 /// A part that rests on B by lifting gaps alone may swing when all of them are open. Contacts
 /// elsewhere stop it, which S does not know.
-void BoundStep::add_stiffness(double share) {
+void BoundaryStep::add_stiffness(double share) {
   diagonal_ = schur_diagonal_ + gap_stiffness * lifted_shares(model_);
   for (Index i = 0; i < diagonal_.size(); ++i) {
     const int n = model_.bound[i];
@@ -152,8 +152,8 @@ void BoundStep::add_stiffness(double share) {
   if (diagonal_.size() > 0) qp_.K.diagonal() = diagonal_ + sigma_;
 }
 
-SolveStatus BoundStep::move(const VectorXd& gradient, const VectorXd& sigma,
-                            const RunContext& context, VectorXd& y) {
+SolveStatus BoundaryStep::move(const VectorXd& gradient, const VectorXd& sigma,
+                               const RunContext& context, VectorXd& y) {
   if (y.size() == 0) return SolveStatus::solved;
   const VectorXd scaled = sigma / model_.lambda_shift;
   const VectorXd start = sign_.cwiseProduct(y);

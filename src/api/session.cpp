@@ -1,6 +1,6 @@
 #include "relievo/session.h"
 
-#include "face/solid_of.h"
+#include "api/solid_of.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/image/image_size.h"
 #include "relief/maps/relief_maps.h"

@@ -1,4 +1,4 @@
-#include "face/solid_of.h"
+#include "api/solid_of.h"
 
 #include "relief/surface/assemble_limbs.h"
 #include "relief/surface/assemble_model.h"
