@@ -36,6 +36,10 @@ std::string advice_on(const FileKind& kind) {
     case InputKind::sprites:
     case InputKind::glb:
       return std::string(kind.name) + "; " + std::string(kind.remedy);
+    case InputKind::zip:
+      return std::string(kind.name) + (kind.remedy.empty()
+                                           ? "; name it on its own if it is a drawing or a project"
+                                           : "; " + std::string(kind.remedy));
     default:
       return std::string(kind.name) + "; give it the usual ending, or name it on its own";
   }
