@@ -8,6 +8,7 @@
 #include "bindings/wasm/js_values.h"
 #include "bindings/wasm/reconstruction.h"
 #include "bindings/wasm/segmenter.h"
+#include "io/files/file_kind.h"
 #include "io/files/paths.h"
 #include "io/image/png.h"
 #include "io/layered/layer_files.h"
@@ -33,6 +34,13 @@ Result<std::string> connected(const LayeredDrawing& drawing) {
           .scene);
 }
 
+/// Makes the canvas one part, which stands for a picture until it is understood.
+void take_whole(Scene& scene) {
+  const double width = scene.width;
+  const double height = scene.height;
+  scene.parts = {{"picture", {{{0, 0}, {width, 0}, {width, height}, {0, height}}}}};
+}
+
 /// Imports a layered drawing. Returns {scene, proposed, lineArt, warnings, paintable}: the text of
 /// a scene file (see make_parts and connect_scene), and the drawing for the page to paint (see
 /// PaintableSvg).
@@ -41,6 +49,7 @@ val import_svg(const val& array) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   auto drawing = read_svg(text);
   if (!drawing) return failure(drawing.error());
+  if (drawing->flat) take_whole(drawing->scene);
   if (Status status = understanding::make_parts(*drawing); !status) return failure(status.error());
   const auto scene = connected(*drawing);
   if (!scene) return failure(scene.error());
@@ -48,8 +57,19 @@ val import_svg(const val& array) {
   result.set("scene", *scene);
   result.set("paintable", drawing->paintable.text);
   result.set("proposed", drawing->proposed);
-  result.set("lineArt", drawing->line_art);
+  result.set("lineArt", drawing->line_art || drawing->flat);
   result.set("warnings", to_js(drawing->warnings));
+  return result;
+}
+
+/// Says what a file is that could not be opened: returns {name, remedy}, or null where nothing is
+/// to be said (see file_kind).
+val unread_file(const val& array) {
+  const FileKind kind = file_kind(to_bytes(array));
+  if (kind.remedy.empty() || kind.kind == InputKind::unknown) return val::null();
+  val result = val::object();
+  result.set("name", std::string(kind.name));
+  result.set("remedy", std::string(kind.remedy));
   return result;
 }
 
@@ -138,6 +158,7 @@ EMSCRIPTEN_BINDINGS(relievo) {
   using relievo::wasm::Reconstruction;
   using relievo::wasm::Segmenter;
   emscripten::function("importSvg", &relievo::wasm::import_svg);
+  emscripten::function("unreadFile", &relievo::wasm::unread_file);
   emscripten::function("checkSegmentation", &relievo::wasm::check_segmentation);
   emscripten::function("importLayers", &relievo::wasm::import_layers);
   emscripten::function("encodeLayers", &relievo::wasm::encode_layers);

@@ -132,9 +132,15 @@ export interface SvgImport {
   /** The safe version of the drawing, which the page may show. */
   paintable: string;
   proposed: boolean;
-  /** The drawing has no filled shapes; lines enclose its parts. */
+  /** The drawing has no filled shapes, or is a picture: its parts are found as in a flat drawing. */
   lineArt: boolean;
   warnings: string[];
+}
+
+/** What a file is that Relievo does not read, and what to do with it. In English. */
+export interface UnreadFile {
+  readonly name: string;
+  readonly remedy: string;
 }
 
 /** An imported drawing of painted layers. */
