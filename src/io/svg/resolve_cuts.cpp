@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/files/number_text.h"
 #include "io/svg/object_box.h"
 #include "io/svg/svg_attributes.h"
 #include "io/svg/svg_style.h"
@@ -63,7 +64,7 @@ void convert_mask_rectangle(pugi::xml_node mask, const Box2& box, const LengthCo
   };
   const Point2 size = box.max - box.min;
   const auto set = [&](const char* name, double value) {
-    set_attribute(mask, name, std::to_string(value));
+    set_attribute(mask, name, shortest_text(value));
   };
   const double x = box.min.x + fraction("x", -0.1) * size.x;
   const double y = box.min.y + fraction("y", -0.1) * size.y;

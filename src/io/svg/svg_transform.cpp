@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "io/files/number_text.h"
 #include "kernel/base/text_rules.h"
 
 namespace relievo {
@@ -223,12 +223,8 @@ std::optional<Point2> parse_transform_origin(std::string_view text, const Transf
 
 std::string transform_text(const Affine2& map) {
   std::string text = "matrix(";
-  for (const double value : {map.a, map.b, map.c, map.d, map.e, map.f}) {
-    std::array<char, 32> digits = {};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    if (text.back() != '(') text.push_back(' ');
-    text.append(digits.data(), end);
-  }
+  for (const double value : {map.a, map.b, map.c, map.d, map.e, map.f})
+    text += (text.back() == '(' ? "" : " ") + shortest_text(value);
   return text + ")";
 }
 
