@@ -190,4 +190,25 @@ describe('the engine', () => {
     expect(paintable).not.toMatch(/script|foreignObject|example\.org/);
     expect(paintable).toContain('M50 50H400V400H50Z');
   });
+
+  it('gives the page a drawing whose styles are resolved', () => {
+    const styled = `<?xml version="1.0" encoding="UTF-16"?><svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 500 500">
+      <style>:root{--c:#d95} rect{fill:var(--c);transform:translate(10%,20px)}</style>
+      <rect x="50" y="50" width="300" height="300"/></svg>`;
+    const utf16 = new Uint8Array(2 * styled.length);
+    [...styled].forEach((letter, i) => (utf16[2 * i] = letter.charCodeAt(0)));
+    const { paintable, lineArt } = must(service.importSvg(utf16));
+    expect(paintable).toContain('fill:#d95');
+    expect(paintable).toContain('matrix(1 0 0 1 50 20)');
+    expect(paintable).not.toContain('<style');
+    expect(lineArt).toBe(false);
+  });
+
+  it('takes a drawing of one picture for a flat one', () => {
+    const picture = 'iVBORw0KGgoAAAANSUhEUgAAAAQAAAACCAYAAAB/qH1jAAAAE0lEQVR4nGP4z8DwH4QZYABdAACnegf5wTo2swAAAABJRU5ErkJggg==';
+    const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200"><image width="400" height="200" href="data:image/png;base64,${picture}"/></svg>`;
+    const imported = must(service.importSvg(new TextEncoder().encode(svg)));
+    expect(imported.lineArt).toBe(true);
+    expect(imported.paintable).toContain(picture);
+  });
 });
