@@ -86,7 +86,7 @@ Result<LayeredDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
                    layer.file};
     layer.png = picture->bytes;
   }
-  return unpack_layers(*layers, {}, page_limits);
+  return unpack_layers(*layers, {}, {}, page_limits);
 }
 
 Result<LayeredDrawing> read_layers(const std::vector<ArchiveEntry>& entries) {

@@ -1,6 +1,7 @@
 #include "api/inputs.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -82,14 +83,38 @@ Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunConte
   return loaded;
 }
 
-Result<SceneInput> load_folder(const InputFile& input, bool connect) {
-  std::vector<fs::path> files;
-  auto folder = read_layer_folder(input.name, files);
-  if (!folder) return folder.error();
-  if (Status status = understanding::make_parts(*folder); !status) return status.error();
-  SceneInput loaded = with_layers(std::move(*folder), connect);
-  loaded.files = std::move(files);
+/// Makes the scene of layers of pixels, or of the picture that they make where they are no parts.
+Result<SceneInput> from_layers(Result<understanding::LayeredDrawing> drawing,
+                               const InputFile& input, bool connect, const RunContext& context) {
+  if (!drawing) return drawing.error();
+  if (!drawing->flat)
+    if (Status status = understanding::make_parts(*drawing); !status) return status.error();
+  if (!drawing->flat) return with_layers(std::move(*drawing), connect);
+  auto loaded = understand_flat(std::move(drawing->picture), input.name, connect, context);
+  if (!loaded) return loaded.error();
+  loaded->warnings.insert(loaded->warnings.begin(), drawing->warnings.begin(),
+                          drawing->warnings.end());
   return loaded;
+}
+
+Result<SceneInput> load_folder(const InputFile& input, bool connect, const RunContext& context) {
+  std::vector<fs::path> files;
+  auto loaded = from_layers(read_layer_folder(input.name, files), input, connect, context);
+  if (loaded) loaded->files = std::move(files);
+  return loaded;
+}
+
+/// Paints a vector layer at its own size.
+Result<Image8> paint_svg(const Bytes& svg) {
+  SvgOptions own_size;
+  own_size.min_side = 0;
+  own_size.max_side = std::numeric_limits<double>::infinity();
+  const auto drawing = read_svg(text_of(svg), own_size);
+  if (!drawing) return drawing.error();
+  const understanding::PaintableSvg& text = drawing->paintable;
+  auto picture = rasterize(text, std::max(text.width, text.height));
+  if (!picture) return picture.error();
+  return std::move(picture->rgba);
 }
 
 /// Returns the pixels of a picture, or of a vector drawing that covers the scene's canvas.
@@ -145,30 +170,14 @@ Result<SceneInput> load_project(const InputFile& input) {
   return loaded;
 }
 
-Result<SceneInput> load_archive(const InputFile& input, bool connect) {
+Result<SceneInput> load_archive(const InputFile& input, bool connect, const RunContext& context) {
   if (is_project(input.bytes)) return load_project(input);
   const auto entries = unpack_archive(input.bytes);
   if (!entries) return entries.error();
   if (!is_ora(*entries))
     return Error{ErrorCode::bad_input,
                  "is an archive, but neither a project nor an OpenRaster drawing", ""};
-  auto ora = read_ora(*entries);
-  if (!ora) return ora.error();
-  if (Status status = understanding::make_parts(*ora); !status) return status.error();
-  return with_layers(std::move(*ora), connect);
-}
-
-Result<SceneInput> load_psd(const InputFile& input, bool connect, const RunContext& context) {
-  auto psd = read_psd(input.bytes);
-  if (!psd) return psd.error();
-  if (!psd->flat) {
-    if (Status status = understanding::make_parts(*psd); !status) return status.error();
-    return with_layers(std::move(*psd), connect);
-  }
-  auto loaded = understand_flat(std::move(psd->picture), input.name, connect, context);
-  if (!loaded) return loaded.error();
-  loaded->warnings.insert(loaded->warnings.end(), psd->warnings.begin(), psd->warnings.end());
-  return loaded;
+  return from_layers(read_ora(*entries, {}, paint_svg), input, connect, context);
 }
 
 /// Returns the path of a scene's drawing; fails if a link leads out of the scene's folder.
@@ -224,9 +233,9 @@ Result<SceneInput> load(const InputFile& input, bool connect, const RunContext& 
   const InputKind kind = input.folder ? InputKind::folder : sniff(input.bytes);
   if (kind == InputKind::svg) return load_svg(input, connect, context);
   if (kind == InputKind::json) return load_json(input);
-  if (kind == InputKind::zip) return load_archive(input, connect);
-  if (kind == InputKind::psd) return load_psd(input, connect, context);
-  if (kind == InputKind::folder) return load_folder(input, connect);
+  if (kind == InputKind::zip) return load_archive(input, connect, context);
+  if (kind == InputKind::psd) return from_layers(read_psd(input.bytes), input, connect, context);
+  if (kind == InputKind::folder) return load_folder(input, connect, context);
   if (kind == InputKind::image) return read_picture(input, connect, context);
   return refusal(kind);
 }
