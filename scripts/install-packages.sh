@@ -9,8 +9,9 @@
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
-  libgif-dev libjpeg-dev libmeshoptimizer-dev libpng-dev libpolyclipping-dev libpugixml-dev
-  librsvg2-dev libzip-dev lld ninja-build nlohmann-json3-dev pkg-config zlib1g-dev"
+  libgif-dev libheif-dev libjpeg-dev libmeshoptimizer-dev libpng-dev libpolyclipping-dev
+  libpugixml-dev librsvg2-dev libwebp-dev libzip-dev lld ninja-build nlohmann-json3-dev
+  pkg-config zlib1g-dev"
 web="dpkg-dev emscripten libboost-dev"
 test="admesh chromium clang-format clang-tidy coinor-libipopt-dev lib3mf-dev libgtest-dev
   librapidcheck-dev libvalijson-dev shellcheck"

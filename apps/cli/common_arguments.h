@@ -14,8 +14,8 @@ namespace relievo::cli {
 
 /// Help for the input of commands that take drawings.
 inline constexpr const char* input_help =
-    "Layered drawing (SVG, OpenRaster, PSD, a folder of pictures), flat picture (PNG, JPEG, GIF), "
-    "project or scene file (JSON); - reads standard input";
+    "Layered drawing (SVG, OpenRaster, PSD, a folder of pictures), flat picture (PNG, JPEG, GIF, "
+    "WebP, AVIF, HEIC), project or scene file (JSON); - reads standard input";
 
 /// Help for the overlay of the commands that draw one without details.
 inline constexpr const char* overlay_help =

@@ -4,8 +4,10 @@
 
 #include "api/inputs.h"
 #include "io/files/paths.h"
-#include "io/image/decode_image.h"
+#include "io/image/gif.h"
+#include "io/image/heif.h"
 #include "io/image/png.h"
+#include "io/image/webp.h"
 #include "io/mesh/obj_encode.h"
 #include "io/scene/scene_json.h"
 
@@ -105,6 +107,8 @@ Status make_folder(const fs::path& folder) {
 std::string picture_kind(ByteView bytes) {
   if (is_png(bytes)) return "png";
   if (is_gif(bytes)) return "gif";
+  if (is_webp(bytes)) return "webp";
+  if (is_heif(bytes)) return is_avif(bytes) ? "avif" : "heic";
   return sniff(bytes) == InputKind::svg ? "svg" : "jpeg";
 }
 

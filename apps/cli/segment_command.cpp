@@ -14,7 +14,9 @@
 #include "apps/cli/report.h"
 #include "io/files/number_text.h"
 #include "io/files/paths.h"
+#include "io/image/animation.h"
 #include "io/image/decode_image.h"
+#include "io/image/heif.h"
 #include "io/image/png.h"
 #include "io/project/project_file.h"
 #include "io/project/project_json.h"
@@ -61,6 +63,7 @@ struct SegmentInput {
   Project project;           ///< new, or as it was read; it has a segmentation
   Image8 pixels;             ///< of the drawing, RGBA
   understanding::Segmentation found;  ///< empty if the project has the labels
+  std::string first_frame{};          ///< a warning about an animation, or empty
 };
 
 /// Longest side of the picture that is made from a vector drawing, px.
@@ -94,10 +97,16 @@ SegmentInput from_picture(const InputFile& file) {
   return input;
 }
 
-/// Keeps the pixels in place of the vectors, since labels belong to pixels and a build reads the
-/// same.
-Result<SegmentInput> from_svg(const InputFile& file) {
-  auto picture = picture_of(file.bytes);
+/// Unpacks a photo, a PNG file.
+Result<Bytes> unpacked(const Bytes& heic) {
+  const auto pixels = decode_heif(heic);
+  if (!pixels) return pixels.error();
+  return encode_png(*pixels);
+}
+
+/// Keeps a picture in place of a file: of vectors, since labels belong to pixels and a build reads
+/// the same, or of HEIC, which browsers do not read.
+Result<SegmentInput> from_picture_of(const InputFile& file, Result<Bytes> picture) {
   if (!picture) return picture.error();
   SegmentInput input = from_picture({file.name, std::move(*picture)});
   input.drawing_file.clear();
@@ -108,7 +117,10 @@ Result<SegmentInput> from_svg(const InputFile& file) {
 
 Result<SegmentInput> from_file(const InputFile& file) {
   if (is_project(file.bytes)) return from_project(file);
-  if (sniff(file.bytes) == InputKind::svg) return from_svg(file);
+  const InputKind kind = sniff(file.bytes);
+  if (kind == InputKind::svg) return from_picture_of(file, picture_of(file.bytes));
+  if (is_heif(file.bytes) && !is_avif(file.bytes))
+    return from_picture_of(file, unpacked(file.bytes));
   return from_picture(file);
 }
 
@@ -200,7 +212,9 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
   auto pixels = decode_image(input->project.drawing.bytes);
   if (!pixels) return in_file(pixels.error(), file->name);
   input->pixels = std::move(*pixels);
-  if (Status status = choose_labels(segment, *input, context); !status) return status.error();
+  if (Status status = choose_labels(segment, *input, context); !status)
+    return in_first_frame(status.error(), file->bytes);
+  input->first_frame = first_frame_warning(file->bytes);
   const Image16& labels =
       input->found.labels.empty() ? input->project.segmentation->labels : input->found.labels;
   if (labels.width != input->pixels.width || labels.height != input->pixels.height)
@@ -279,6 +293,7 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   const Outputs made = outputs_of(segment, *loaded, *understood, watch.milliseconds());
   if (Status status = save(made, inputs, interruption); !status) return status;
   print_warnings(understood->warnings);
+  if (!loaded->first_frame.empty()) print_warnings({loaded->first_frame});
   print_note(summary(understood->scene));
   for (const OutputFile& file : made.files) print_result(file.path.string());
   return Done{};

@@ -8,6 +8,7 @@
 #include "bindings/wasm/js_values.h"
 #include "bindings/wasm/reconstruction.h"
 #include "bindings/wasm/segmenter.h"
+#include "io/files/file_kind.h"
 #include "io/files/paths.h"
 #include "io/image/png.h"
 #include "io/layered/layer_files.h"
@@ -50,6 +51,17 @@ val import_svg(const val& array) {
   result.set("proposed", drawing->proposed);
   result.set("lineArt", drawing->line_art);
   result.set("warnings", to_js(drawing->warnings));
+  return result;
+}
+
+/// Says what a file is that could not be opened: returns {name, remedy}, or null where nothing is
+/// to be said (see file_kind).
+val unread_file(const val& array) {
+  const FileKind kind = file_kind(to_bytes(array));
+  if (kind.remedy.empty() || kind.kind == InputKind::unknown) return val::null();
+  val result = val::object();
+  result.set("name", std::string(kind.name));
+  result.set("remedy", std::string(kind.remedy));
   return result;
 }
 
@@ -138,6 +150,7 @@ EMSCRIPTEN_BINDINGS(relievo) {
   using relievo::wasm::Reconstruction;
   using relievo::wasm::Segmenter;
   emscripten::function("importSvg", &relievo::wasm::import_svg);
+  emscripten::function("unreadFile", &relievo::wasm::unread_file);
   emscripten::function("checkSegmentation", &relievo::wasm::check_segmentation);
   emscripten::function("importLayers", &relievo::wasm::import_layers);
   emscripten::function("encodeLayers", &relievo::wasm::encode_layers);

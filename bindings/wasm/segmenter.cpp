@@ -5,6 +5,7 @@
 
 #include "bindings/wasm/js_values.h"
 #include "io/files/paths.h"
+#include "io/image/orientation.h"
 #include "io/image/png.h"
 #include "io/project/project_json.h"
 #include "io/scene/scene_json.h"
@@ -68,8 +69,9 @@ struct Segmenter::Labelled {
 };
 
 val Segmenter::open_png(const val& file) {
-  auto rgba = decode_png(to_bytes(file));
-  return rgba ? open(std::move(*rgba)) : failure(rgba.error());
+  const Bytes png = to_bytes(file);
+  auto rgba = decode_png(png);
+  return rgba ? open(upright(*rgba, png_orientation(png))) : failure(rgba.error());
 }
 
 val Segmenter::open_pixels(const val& rgba, int width, int height) {

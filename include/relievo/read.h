@@ -26,8 +26,8 @@ struct DrawnScene {
 /// `contradiction`, `limit`, `interrupted`.
 Result<DrawnScene> read_drawing(const std::filesystem::path& path, const RunContext& context = {});
 
-/// Finds the parts of a flat picture (PNG, JPEG, GIF), completes hidden areas, and orders and joins
-/// the parts. Errors: as read_drawing.
+/// Finds the parts of a flat picture (PNG, JPEG, GIF, WebP, AVIF, HEIC), completes hidden areas,
+/// and orders and joins the parts. Errors: as read_drawing.
 Result<DrawnScene> understand_picture(const std::filesystem::path& path,
                                       const RunContext& context = {});
 

@@ -9,6 +9,7 @@
 #include "io/archive/zip_archive.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
+#include "io/layered/merged_picture.h"
 #include "io/layered/read_layer_folder.h"
 #include "io/layered/read_ora.h"
 #include "io/project/project_file.h"
@@ -33,10 +34,6 @@ constexpr double vector_texture_side = 2048;
 
 /// Longest side of a vector drawing without fills whose lines are searched for parts, px.
 constexpr double line_art_side = 1600;
-
-bool begins_with(std::string_view text, std::string_view start) {
-  return text.substr(0, start.size()) == start;
-}
 
 /// Finds the parts that the lines of a drawing without fills enclose, as `segment` does; nothing if
 /// there are none.
@@ -170,13 +167,35 @@ Result<SceneInput> load_project(const InputFile& input) {
   return loaded;
 }
 
+/// Makes the scene of a painting of which only the merged picture, or a preview, can be read.
+Result<SceneInput> load_preview(const InputFile& input, bool connect, const RunContext& context) {
+  const auto entries = unpack_archive(
+      input.bytes, {}, {"mergedimage.png", "preview.png", "QuickLook/Thumbnail.png"});
+  if (!entries) return entries.error();
+  for (const ArchiveEntry& entry : *entries) {
+    auto pixels = decode_image(entry.bytes);
+    if (!pixels || is_blank(*pixels)) continue;
+    auto loaded = understand_flat({std::move(*pixels)}, input.name, connect, context);
+    if (!loaded) return loaded.error();
+    const FileKind kind = file_kind(input.bytes);
+    loaded->warnings.insert(loaded->warnings.begin(),
+                            "it is " + std::string(kind.name) + ", of which only the picture " +
+                                entry.name + " is read; " + std::string(kind.remedy));
+    return loaded;
+  }
+  return refused_file(input.bytes);
+}
+
 Result<SceneInput> load_archive(const InputFile& input, bool connect, const RunContext& context) {
   if (is_project(input.bytes)) return load_project(input);
+  if (!file_kind(input.bytes).remedy.empty()) return load_preview(input, connect, context);
   const auto entries = unpack_archive(input.bytes);
   if (!entries) return entries.error();
   if (!is_ora(*entries))
     return Error{ErrorCode::bad_input,
-                 "is an archive, but neither a project nor an OpenRaster drawing", ""};
+                 "is an archive, but neither a project nor an OpenRaster drawing; unpack it, since "
+                 "a folder of PNG files can be one drawing",
+                 ""};
   return from_layers(read_ora(*entries, {}, paint_svg), input, connect, context);
 }
 
@@ -221,23 +240,15 @@ Result<SceneInput> load_json(const InputFile& input) {
   return loaded;
 }
 
-Error refusal(InputKind kind) {
-  const auto bad = [](const char* message) { return Error{ErrorCode::bad_input, message, ""}; };
-  if (kind == InputKind::glb) return bad("is a finished model; use it with: relievo render");
-  if (kind == InputKind::gzip)
-    return bad("is compressed; unpack it first, for example with gunzip");
-  return bad("is neither an SVG, OpenRaster or Photoshop drawing nor a scene or project file");
-}
-
 Result<SceneInput> load(const InputFile& input, bool connect, const RunContext& context) {
-  const InputKind kind = input.folder ? InputKind::folder : sniff(input.bytes);
+  if (input.folder) return load_folder(input, connect, context);
+  const InputKind kind = sniff(input.bytes);
   if (kind == InputKind::svg) return load_svg(input, connect, context);
   if (kind == InputKind::json) return load_json(input);
   if (kind == InputKind::zip) return load_archive(input, connect, context);
   if (kind == InputKind::psd) return from_layers(read_psd(input.bytes), input, connect, context);
-  if (kind == InputKind::folder) return load_folder(input, connect, context);
   if (kind == InputKind::image) return read_picture(input, connect, context);
-  return refusal(kind);
+  return refused_file(input.bytes);
 }
 
 }  // namespace
@@ -245,23 +256,6 @@ Result<SceneInput> load(const InputFile& input, bool connect, const RunContext& 
 Result<Drawing> rasterize(const understanding::PaintableSvg& svg, double longest) {
   const ImageSize size = fitted_size(svg.width, svg.height, longest);
   return render_svg(svg, size.width, size.height);
-}
-
-InputKind sniff(ByteView bytes) {
-  std::string_view text = text_of(bytes);
-  if (begins_with(text, "\x89PNG") || begins_with(text, "\xff\xd8\xff")) return InputKind::image;
-  if (begins_with(text, "GIF8") || begins_with(text, "BM")) return InputKind::image;
-  if (begins_with(text, "RIFF") && text.substr(0, 16).find("WEBP") != std::string_view::npos)
-    return InputKind::image;
-  if (begins_with(text, "glTF")) return InputKind::glb;
-  if (is_archive(bytes)) return InputKind::zip;
-  if (is_psd(bytes)) return InputKind::psd;
-  if (begins_with(text, "\x1f\x8b")) return InputKind::gzip;
-  if (begins_with(text, "\xef\xbb\xbf")) text.remove_prefix(3);
-  const size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return InputKind::unknown;
-  if (text[first] == '<') return InputKind::svg;
-  return text[first] == '{' || text[first] == '[' ? InputKind::json : InputKind::unknown;
 }
 
 Result<InputFile> read_input(const std::string& name) {

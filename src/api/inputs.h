@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/files/file_kind.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
@@ -15,12 +16,6 @@
 #include "understanding/marks/layered_drawing.h"
 
 namespace relievo {
-
-/// The kind of an input: a folder, or a file by its content.
-enum class InputKind { svg, json, image, psd, glb, zip, gzip, folder, unknown };
-
-/// Returns the kind of a file by its content.
-InputKind sniff(ByteView bytes);
 
 /// Returns a view of the content of a file as text.
 inline std::string_view text_of(ByteView bytes) {

@@ -7,6 +7,7 @@
 
 #include "io/files/number_text.h"
 #include "io/files/paths.h"
+#include "io/image/animation.h"
 #include "io/image/decode_image.h"
 #include "relievo/read.h"
 #include "understanding/labels/segment_drawing.h"
@@ -78,7 +79,11 @@ Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, boo
 Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context) {
   auto pixels = decode_image(input.bytes);
   if (!pixels) return pixels.error();
-  return understand_flat({std::move(*pixels)}, input.name, connect, context);
+  auto loaded = understand_flat({std::move(*pixels)}, input.name, connect, context);
+  if (!loaded) return in_first_frame(loaded.error(), input.bytes);
+  if (std::string warning = first_frame_warning(input.bytes); !warning.empty())
+    loaded->warnings.push_back(std::move(warning));
+  return loaded;
 }
 
 Result<DrawnScene> read_drawing(const std::filesystem::path& path, const RunContext& context) {

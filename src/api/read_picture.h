@@ -15,8 +15,9 @@ namespace relievo {
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
                                    const RunContext& context);
 
-/// Makes the scene of a PNG, JPEG or GIF file as understand_flat does. Errors: as there, and
-/// `bad_input` if the file cannot be decoded.
+/// Makes the scene of a picture file (see decode_image) as understand_flat does. Of an animation
+/// the first frame is used, with a warning. Errors: as there, and `bad_input` if the file cannot be
+/// decoded.
 Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context);
 
 }  // namespace relievo

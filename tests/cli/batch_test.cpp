@@ -128,6 +128,31 @@ TEST_F(Batch, ATablesMistakesAreNamedBeforeAnythingIsBuilt) {
   expect("input\tname\nin/cat.svg\ta\nin/more/dog.svg\ta\n", 2, "would have the same outputs as");
 }
 
+TEST_F(Batch, TellsWhatItPassedOver) {
+  write("in/fox.xcf", "gimp xcf v011");
+  write("in/more/hen.xcf", "gimp xcf v011");
+  write("in/picture", svg_text);
+  write("in/fox.kra", "PK\3\4 mimetypeapplication/x-krita");
+  const Outcome outcome = batch({"in/", "--quiet"});
+  EXPECT_EQ(outcome.err.find("passed over"), std::string::npos) << outcome.err;
+  const Outcome loud = batch({"in"});
+  EXPECT_NE(loud.err.find("passed over in/fox.xcf, in/more/hen.xcf: a picture of GIMP (XCF); "
+                          "export it as OpenRaster"),
+            std::string::npos)
+      << loud.err;
+  EXPECT_NE(
+      loud.err.find("passed over in/fox.kra: a drawing of Krita (.kra); save it as OpenRaster"),
+      std::string::npos)
+      << loud.err;
+  EXPECT_NE(loud.err.find("passed over in/picture: an SVG drawing; give it the usual ending"),
+            std::string::npos)
+      << loud.err;
+  EXPECT_NE(loud.err.find("passed over in/notes.txt: no drawings"), std::string::npos) << loud.err;
+  std::filesystem::create_directories(folder_.path() / "other");
+  write("other/fox.clip", "CSFCHUNK");
+  expect_failure({"batch", "other", "-o", "out"}, 3, "other/fox.clip: a drawing of Clip Studio");
+}
+
 TEST_F(Batch, DrawingsOfOneNameGetTheirExtensions) {
   std::filesystem::copy(folder_.path() / "scene.json", folder_.path() / "in/cat.json");
   EXPECT_EQ(

@@ -94,7 +94,7 @@ TEST_F(Failures, BadInputIsThree) {
   write("empty.json", "");
   expect_failure({"build", "empty.json", "-o", "out.glb"}, 3, "is empty");
   write("text.txt", "hello");
-  expect_failure({"build", "text.txt", "-o", "out.glb"}, 3, "neither");
+  expect_failure({"build", "text.txt", "-o", "out.glb"}, 3, "text, not a drawing");
   write("flat.png", "\x89PNG\r\n\x1a\n");
   expect_failure({"build", "flat.png", "-o", "out.glb"}, 3, "flat.png");
   write("page.svg", "<html></html>");

@@ -145,6 +145,47 @@ TEST_F(Sequence, MapsOfASheetHaveItsLayout) {
   }
 }
 
+/// Programs write lists with paths of their own machine, without a picture, or in an atlas.
+TEST_F(Sequence, FindsThePictureOfAListBesideIt) {
+  Image8 sheet(60, 60, 4);
+  draw_disc(sheet, 30, 30, 25);
+  write_picture("roll.png", sheet);
+  const std::string frames = R"("frames": [{ "frame": {"x":0,"y":0,"w":60,"h":60} }])";
+  for (const std::string& list :
+       {"{" + frames + R"(, "meta": { "image": "/home/someone/out/roll.png" } })",
+        "{" + frames + R"(, "meta": { "image": "C:\\art\\roll.png" } })",
+        "{" + frames + R"(, "meta": { "image": "packed/sheet.png" } })", "{" + frames + "}",
+        R"({ "textures": [{ "image": "roll.png", )" + frames + "}] }"}) {
+    write("roll.json", list);
+    const Outcome outcome = relievo({"sequence", "roll.json", "-o", "maps", "--vertices", "300"});
+    EXPECT_EQ(outcome.exit_code, 0) << list << outcome.err;
+    EXPECT_EQ(report("maps/sequence.json")["frames"].size(), 1u);
+  }
+}
+
+TEST_F(Sequence, RefusesListsOfLayersAndOfSeveralPictures) {
+  write_picture("roll.png", Image8(60, 60, 4));
+  const auto refused = [&](const std::string& list, const std::string& reason) {
+    write("roll.json", list);
+    expect_failure({"sequence", "roll.json", "-o", "maps"}, 3, reason);
+  };
+  const std::string frame = R"("frame": {"x":0,"y":0,"w":6,"h":6})";
+  const auto pair = [&](const std::string& a, const std::string& b, const std::string& meta) {
+    return R"({ "frames": { ")" + a + "\": {" + frame + "}, \"" + b + "\": {" + frame +
+           R"(} }, "meta": {)" + meta + "} }";
+  };
+  const std::string layers = R"("layers": [{"name":"body"},{"name":"head"}])";
+  refused(pair("roll (body) 0.ase", "roll (head) 0.ase", layers), "layers of a frame (body, head)");
+  refused(pair("roll-body-0", "roll-head-0", layers), "layers of a frame");
+  refused(pair("roll (a) 0", "roll (b) 0", R"("app": "http://www.aseprite.org/")"), "layers");
+  refused(R"({ "textures": [{ "image": "a.png", "frames": [] }, { "image": "b.png" }] })",
+          "multi-atlas");
+  refused(pair("a", "b", R"("related_multi_packs": ["roll-1.json"])"), "multi-atlas");
+  // Frames of one name with numbers in parentheses are frames.
+  write("roll.json", pair("roll (1).png", "roll (2).png", layers));
+  EXPECT_EQ(relievo({"sequence", "roll.json", "-o", "maps"}).exit_code, 0);
+}
+
 TEST_F(Sequence, NamesWhatIsWrong) {
   write("a.svg", frame_text(0));
   std::filesystem::create_directory(folder_.path() / "more");
@@ -164,7 +205,7 @@ TEST_F(Sequence, NamesWhatIsWrong) {
   expect_failure({"sequence", "list.json", "-o", "maps"}, 3, "sheet.png");
   list(R"({"x":-1,"y":0,"w":40,"h":40})", "sheet.png");
   expect_failure({"sequence", "list.json", "-o", "maps"}, 3, "frames[0].frame.x");
-  list(R"({"x":0,"y":0,"w":40,"h":40})", "../sheet.png");
+  list(R"({"x":0,"y":0,"w":40,"h":40})", "../other.png");
   expect_failure({"sequence", "list.json", "-o", "maps"}, 3, "meta.image");
   list(R"({"x":0,"y":0,"w":4,"h":4}, "sourceSize": {"w":32767,"h":32767})", "sheet.png");
   expect_failure({"sequence", "list.json", "-o", "maps"}, 5, "too many pixels");

@@ -51,7 +51,7 @@ function Page({ editor, files, segments, held, keeper, attachPaper, choose, stop
 function chooser(files: FileControl): () => void {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.svg,.ora,.psd,.png,.jpg,.jpeg,.gif,.bmp,.webp,.relievo,.json,.tsv';
+  input.accept = '.svg,.ora,.psd,.png,.jpg,.jpeg,.gif,.bmp,.webp,.avif,.heic,.heif,.relievo,.json,.tsv';
   input.multiple = true;
   input.hidden = true;
   input.addEventListener('change', () => {

@@ -1,5 +1,5 @@
 /** The kind of a file, found from its first bytes, not from its name. */
-type FileKind = 'picture' | 'svg' | 'scene' | 'project' | 'openraster' | 'photoshop' | 'model' | 'packed' | 'unknown';
+type FileKind = 'picture' | 'svg' | 'scene' | 'project' | 'openraster' | 'photoshop' | 'unknown';
 
 const pictures: readonly [string, string][] = [
   ['\x89PNG', 'image/png'], ['\xff\xd8\xff', 'image/jpeg'], ['GIF8', 'image/gif'], ['BM', 'image/bmp'],
@@ -9,6 +9,9 @@ const pictures: readonly [string, string][] = [
 export function pictureType(bytes: Uint8Array): string | null {
   const text = headOf(bytes);
   if (text.startsWith('RIFF') && text.slice(8, 12) === 'WEBP') return 'image/webp';
+  // Some browsers read HEIC.
+  if (text.startsWith('ftypavi', 4)) return 'image/avif';
+  if (['ftyphe', 'ftypmif1', 'ftypmsf1'].some((brand) => text.startsWith(brand, 4))) return 'image/heic';
   return pictures.find(([head]) => text.startsWith(head))?.[1] ?? null;
 }
 
@@ -27,8 +30,6 @@ export function fileKind(bytes: Uint8Array): FileKind {
   if (pictureType(bytes)) return 'picture';
   if (text.startsWith('PK')) return text.includes('image/openraster') ? 'openraster' : 'project';
   if (text.startsWith('8BPS')) return 'photoshop';
-  if (text.startsWith('glTF')) return 'model';
-  if (text.startsWith('\x1f\x8b')) return 'packed';
   const [first] = text.replace(/^\xef\xbb\xbf/, '').trimStart();
   if (first === '<') return 'svg';
   return first === '{' ? 'scene' : 'unknown';

@@ -3,6 +3,7 @@ import type { EngineEndpoint } from './engine_worker';
 import type {
   BuiltRelief, Dressed, ExportFormat, Failure, Files, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
   SegmentationRequest, Solid, SolidFormat, SolidOptions, Surface, SvgImport, Texture, TintedLabels, Understanding, UnderstandingRequest,
+  UnreadFile,
 } from './messages';
 import type { BuildRequest, SurfaceRequest } from './relief_service';
 
@@ -61,6 +62,10 @@ export class Engine {
 
   importSvg(bytes: Uint8Array): Promise<SvgImport | Failure> {
     return this.call(async (remote) => await remote.importSvg(bytes));
+  }
+
+  unreadFile(bytes: Uint8Array): Promise<UnreadFile | null> {
+    return this.call(async (remote) => await remote.unreadFile(bytes));
   }
 
   openDrawing(drawing: FlatDrawing): Promise<object | Failure> {

@@ -49,6 +49,9 @@ const endpoint = {
   async importSvg(bytes: Uint8Array) {
     return (await started()).importSvg(bytes);
   },
+  async unreadFile(bytes: Uint8Array) {
+    return (await started()).unreadFile(bytes);
+  },
   async openDrawing(drawing: FlatDrawing) {
     const opened = (await started()).openDrawing(drawing);
     if (isFailure(opened)) return opened;

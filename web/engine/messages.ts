@@ -137,6 +137,12 @@ export interface SvgImport {
   warnings: string[];
 }
 
+/** What a file is that Relievo does not read, and what to do with it. In English. */
+export interface UnreadFile {
+  readonly name: string;
+  readonly remedy: string;
+}
+
 /** An imported drawing of painted layers. */
 export interface LayersImport {
   /** Text of a scene file whose canvas is the picture; absent if there is only one layer. */

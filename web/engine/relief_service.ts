@@ -21,6 +21,7 @@ import {
   type Texture,
   type Understanding,
   type UnderstandingRequest,
+  type UnreadFile,
   type Visibility,
 } from './messages';
 
@@ -62,6 +63,11 @@ export class ReliefService {
 
   importSvg(bytes: Uint8Array): SvgImport | Failure {
     return this.module.importSvg(bytes);
+  }
+
+  /** Says what a file is that could not be opened; null if there is nothing to say. */
+  unreadFile(bytes: Uint8Array): UnreadFile | null {
+    return this.module.unreadFile(bytes);
   }
 
   /** Opens a flat drawing for scribbling. */

@@ -2,7 +2,7 @@
 declare module '#relievo' {
   import type {
     Failure, Files, Labelled, LayersImport, OutputFile, Overlays, Report, SolidFacts, SvgImport, Surface,
-    Texture, Understanding,
+    Texture, Understanding, UnreadFile,
   } from './messages';
   import type {
     BuildOptions, ExportFormat, Field, MapKind, Progress, SolidFormat, SolidOptions, Visibility,
@@ -32,6 +32,7 @@ declare module '#relievo' {
 
   export interface RelievoModule {
     importSvg(bytes: Uint8Array): SvgImport | Failure;
+    unreadFile(bytes: Uint8Array): UnreadFile | null;
     checkSegmentation(project: string, labels: Uint8Array): object | Failure;
     importLayers(files: OutputFile[]): LayersImport | Failure;
     encodeLayers(scene: string, rgba: Uint8Array, width: number, height: number): { bytes: Uint8Array } | Failure;

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "apps/cli/batch/passed_over.h"
 #include "apps/cli/batch/plan.h"
 #include "apps/cli/batch/pool.h"
 #include "apps/cli/batch/sheet_page.h"
@@ -183,8 +184,10 @@ void summarise(const JournalEntries& entries, size_t built, double seconds) {
 }
 
 Result<int> build_batch(const BatchArguments& batch, Interruption& interruption) {
-  auto jobs = collect_jobs(batch);
-  if (!jobs) return jobs.error();
+  auto work = collect_jobs(batch);
+  if (!work) return work.error();
+  for (const std::string& line : describe_passed_over(work->passed_over))
+    print_note("passed over " + line);
   const fs::path folder = batch.output;
   if (Status status = make_folder(folder); !status) return status.error();
   const std::string shard =
@@ -194,7 +197,7 @@ Result<int> build_batch(const BatchArguments& batch, Interruption& interruption)
   if (!journal) return journal.error();
   auto entries = read_journals(folder);
   if (!entries) return entries.error();
-  const auto plan = plan_batch(batch, std::move(*jobs), *entries, *interruption.flag());
+  const auto plan = plan_batch(batch, std::move(work->jobs), *entries, *interruption.flag());
   if (!plan) return plan.error();
   const auto seconds = build_planned(batch, *plan, *journal, *entries, interruption);
   if (!seconds) return seconds.error();

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "apps/cli/batch/passed_over.h"
 #include "apps/cli/batch/sheet_page.h"
 #include "apps/cli/build_arguments.h"
 #include "apps/cli/outputs.h"
@@ -106,8 +107,9 @@ Result<std::vector<ListedDrawing>> read_table(const fs::path& path) {
 /// Checks for the extension of a drawing. Scene files must be named one by one, since other files
 /// end in .json too.
 bool is_drawing(const fs::path& path) {
-  static const std::set<std::string> endings = {".svg", ".ora",  ".psd", ".png",
-                                                ".jpg", ".jpeg", ".gif", ".relievo"};
+  static const std::set<std::string> endings = {".svg",  ".ora",  ".psd",  ".png",
+                                                ".jpg",  ".jpeg", ".gif",  ".webp",
+                                                ".avif", ".heic", ".heif", ".relievo"};
   return endings.count(lower_case(path.extension().string())) > 0;
 }
 
@@ -116,9 +118,14 @@ bool is_layer_folder(const fs::path& path) {
   return fs::is_directory(path, code) && fs::exists(path / "layers.tsv", code);
 }
 
-/// Finds the drawings in a folder and below, sorted by name.
-Status search_folder(const fs::path& folder, const fs::path& below,
-                     std::vector<ListedDrawing>& found) {
+/// The drawings given to a batch, and the other files in its folders.
+struct FoundFiles {
+  std::vector<ListedDrawing> drawings;
+  std::vector<fs::path> others;
+};
+
+/// Finds the files in a folder and below, sorted by name.
+Status search_folder(const fs::path& folder, const fs::path& below, FoundFiles& found) {
   std::error_code code;
   std::vector<fs::path> entries;
   for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code))
@@ -129,25 +136,27 @@ Status search_folder(const fs::path& folder, const fs::path& below,
     const fs::path name = below / entry.filename();
     if (entry.filename().string().starts_with('.')) continue;
     if (is_layer_folder(entry) || (!fs::is_directory(entry, code) && is_drawing(entry)))
-      found.push_back({entry, name, false, {}, ""});
+      found.drawings.push_back({entry, name, false, {}, ""});
+    else if (fs::is_regular_file(entry, code))
+      found.others.push_back(entry);
     else if (fs::is_directory(entry, code))
       if (Status status = search_folder(entry, name, found); !status) return status;
   }
   return Done{};
 }
 
-Status find_inputs(const std::string& input, std::vector<ListedDrawing>& found) {
+Status find_inputs(const std::string& input, FoundFiles& found) {
   const fs::path path(input);
   std::error_code code;
   if (path.extension() == ".tsv") {
     const auto rows = read_table(path);
     if (!rows) return rows.error();
-    found.insert(found.end(), rows->begin(), rows->end());
+    found.drawings.insert(found.drawings.end(), rows->begin(), rows->end());
     return Done{};
   }
   if (fs::is_directory(path, code) && !is_layer_folder(path)) return search_folder(path, "", found);
   const fs::path name = path.filename().empty() ? path.parent_path().filename() : path.filename();
-  found.push_back({path, name, false, {}, ""});
+  found.drawings.push_back({path, name, false, {}, ""});
   return Done{};
 }
 
@@ -208,16 +217,19 @@ Result<BatchJob> job_of(const ListedDrawing& found, const std::string& name,
 
 }  // namespace
 
-Result<std::vector<BatchJob>> collect_jobs(const BatchArguments& batch) {
-  std::vector<ListedDrawing> found;
+Result<BatchWork> collect_jobs(const BatchArguments& batch) {
+  FoundFiles found;
   for (const std::string& input : batch.inputs)
     if (Status status = find_inputs(input, found); !status) return status.error();
-  if (found.empty())
-    return Error{ErrorCode::bad_input, "contains no drawings", batch.inputs.front()};
+  if (found.drawings.empty()) {
+    std::string message = "contains no drawings";
+    for (const std::string& line : describe_passed_over(found.others)) message += "; " + line;
+    return Error{ErrorCode::bad_input, message, batch.inputs.front()};
+  }
   std::map<std::string, int> uses;
-  for (const ListedDrawing& one : found) ++uses[plain_name(one)];
+  for (const ListedDrawing& one : found.drawings) ++uses[plain_name(one)];
   std::map<std::string, BatchJob> jobs;
-  for (const ListedDrawing& one : found) {
+  for (const ListedDrawing& one : found.drawings) {
     const std::string name = job_name(one, uses);
     auto job = job_of(one, name, batch);
     if (!job) return job.error();
@@ -228,9 +240,9 @@ Result<std::vector<BatchJob>> collect_jobs(const BatchArguments& batch) {
           "would have the same outputs as " + same->second.entry.input + "; name them in a table",
           one.input.string()};
   }
-  std::vector<BatchJob> list;
-  for (auto& [name, job] : jobs) list.push_back(std::move(job));
-  return list;
+  BatchWork work{{}, std::move(found.others)};
+  for (auto& [name, job] : jobs) work.jobs.push_back(std::move(job));
+  return work;
 }
 
 }  // namespace relievo::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "apps/cli/arguments.h"
@@ -14,10 +15,16 @@ struct BatchJob {
   int vertices = 0;    ///< approximate number
 };
 
-/// Returns the builds of a batch, sorted by name: of the drawings given, those in folders and
-/// below, and those in tables. A folder of layers is one drawing. Drawings of the same name get
-/// their extensions appended. Errors: `usage` for a wrong option in a table, `bad_input` for a
-/// table, with its line, `file` if something cannot be read.
-Result<std::vector<BatchJob>> collect_jobs(const BatchArguments& batch);
+/// What a batch has to build.
+struct BatchWork {
+  std::vector<BatchJob> jobs;                      ///< sorted by name
+  std::vector<std::filesystem::path> passed_over;  ///< files in folders that are no drawings
+};
+
+/// Returns the builds of a batch: of the drawings given, those in folders and below, and those in
+/// tables. A folder of layers is one drawing. Drawings of the same name get their extensions
+/// appended. Errors: `usage` for a wrong option in a table, `bad_input` for a table, with its line,
+/// `file` if something cannot be read.
+Result<BatchWork> collect_jobs(const BatchArguments& batch);
 
 }  // namespace relievo::cli

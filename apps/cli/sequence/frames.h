@@ -18,6 +18,7 @@ struct Frame {
   std::string name;    ///< of its outputs: that of its file or sprite
   bool flat = false;   ///< its parts have no names of their own
   bool empty = false;  ///< nothing is drawn
+  ImageSize canvas{};  ///< of a picture of an animation, px
   /// Loads the scene; see load_scene. Precondition: not empty.
   std::function<Result<SceneInput>(const RunContext&)> load;
 };
@@ -29,7 +30,8 @@ struct Frames {
   std::vector<std::filesystem::path> files;  ///< inputs, never overwritten
 };
 
-/// Returns the frames: files, or the sprites of a sheet with a list (.json) or a grid. Errors:
+/// Returns the frames: files, the pictures of one animation, or the sprites of a sheet with a list
+/// (.json) or a grid. Errors:
 /// `usage` if two frames have the same name, `bad_input` for invalid sheets and sprites outside the
 /// picture, `file`.
 Result<Frames> collect_frames(const SequenceArguments& sequence);

@@ -32,13 +32,15 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr const char* help =
     R"(Makes consistent maps for the frames of an animation. All frames have the same scale and depth
 range, parts of the same name have the same number, and still parts keep their heights. The
-frames are drawings of the same size, in order, or the sprites of a sheet.
+frames are drawings of the same size, in order, those of an animated GIF or WebP, or the sprites
+of a sheet.
 
 Examples:
   relievo sequence walk-*.svg -o maps
   relievo sequence walk-*.svg -o maps --columns 5 --make colour,normal,depth,part,occlusion
   relievo sequence walk.json -o maps
-  relievo sequence walk.png --grid 8x2 -o maps)";
+  relievo sequence walk.png --grid 8x2 -o maps
+  relievo sequence walk.gif -o maps)";
 
 /// Maximum number of pixels of all frames together.
 constexpr size_t max_pixels = size_t{1} << 27;
@@ -246,6 +248,8 @@ Status animate(const SequenceArguments& sequence, Frames& frames, Animator& anim
       if (Status s = count_pixels(size, pixels); !s) return s;
     }
     if (frame.empty) {
+      if (!frames.sheet)
+        size = fitted_size(frame.canvas.width, frame.canvas.height, sequence.map_size);
       animator.add_blank(frame, size);
       continue;
     }
@@ -297,8 +301,9 @@ void add_sequence(CLI::App& main, Command& chosen) {
   const auto sequence = std::make_shared<SequenceArguments>();
   CLI::App& app = *main.add_subcommand("sequence", help);
   app.add_option("INPUT", sequence->inputs,
-                 "Drawings as for build, or a sprite sheet: its list of sprites, as written by "
-                 "Aseprite or TexturePacker (.json), or its picture with --grid")
+                 "Drawings as for build, an animated GIF or WebP, or a sprite sheet: its list of "
+                 "sprites, as written by Aseprite or TexturePacker (.json), or its picture with "
+                 "--grid")
       ->required();
   app.add_option("-o,--output", sequence->output, "Output folder")->required();
   app.add_option("--make", sequence->make,

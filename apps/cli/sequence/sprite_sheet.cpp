@@ -1,8 +1,11 @@
 #include "apps/cli/sequence/sprite_sheet.h"
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "io/scene/json_reader.h"
 
@@ -71,6 +74,51 @@ std::string text_at(const Json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+/// Returns the member of an object, or `fallback`.
+const Json& member(const Json& json, const char* key, const Json& fallback) {
+  const auto found = json.is_object() ? json.find(key) : json.end();
+  return json.is_object() && found != json.end() ? *found : fallback;
+}
+
+bool is_number(const std::string& text) {
+  return text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// Returns the layers that a sprite's name may state: as Aseprite writes it, "walk (body) 1.ase",
+/// the last text in parentheses, else the names of the sheet's layers.
+std::vector<std::string> layers_in(const std::string& name, const Json& meta) {
+  std::vector<std::string> layers;
+  const size_t end = name.rfind(')');
+  const size_t start = name.rfind('(', end);
+  if (end != std::string::npos && start != std::string::npos)
+    layers.push_back(name.substr(start + 1, end - start - 1));
+  if (meta.contains("layers") && meta.at("layers").is_array())
+    for (const Json& layer : meta.at("layers"))
+      if (const std::string text = text_at(layer, "name"); name.find(text) != std::string::npos)
+        layers.push_back(text);
+  layers.erase(std::remove_if(layers.begin(), layers.end(), is_number), layers.end());
+  return layers;
+}
+
+/// Refuses a sheet on which the layers of a frame are sprites of their own: sprites whose names
+/// differ in the layer only.
+Status check_layers(const SpriteSheet& sheet, const Json& meta) {
+  if (!meta.contains("layers") && text_at(meta, "app").find("aseprite") == std::string::npos)
+    return Done{};
+  std::map<std::string, std::string> layer_of;  // by the name without its layer
+  for (const Sprite& sprite : sheet.sprites)
+    for (const std::string& layer : layers_in(sprite.name, meta)) {
+      std::string frame = sprite.name;
+      frame.erase(frame.rfind(layer), layer.size());
+      const auto [known, added] = layer_of.emplace(frame, layer);
+      if (!added && known->second != layer)
+        return wrong("frames", "lists the layers of a frame (" + known->second + ", " + layer +
+                                   ") as sprites of their own; export the sheet without splitting "
+                                   "its layers");
+    }
+  return Done{};
+}
+
 OrderedJson sprite_json(const Sprite& sprite) {
   const auto [w, h] = std::pair(sprite.size.width, sprite.size.height);
   return {{"filename", sprite.name},
@@ -86,13 +134,18 @@ OrderedJson sprite_json(const Sprite& sprite) {
 Result<SpriteSheet> read_sprite_sheet(std::string_view text) {
   const auto json = parse_json(text);
   if (!json) return json.error();
-  const bool there = json->is_object() && json->contains("frames");
-  if (!there || !(json->at("frames").is_array() || json->at("frames").is_object()))
+  const Json none = Json::object();
+  const Json& meta = member(*json, "meta", none);
+  const Json& atlases = member(*json, "textures", none);
+  if (atlases.size() > 1 || !member(meta, "related_multi_packs", none).empty())
+    return wrong("textures",
+                 "is a multi-atlas of several pictures; pack all sprites on one picture");
+  const Json& atlas = atlases.size() == 1 ? *atlases.begin() : *json;
+  const Json& frames = member(atlas, "frames", none);
+  if (!frames.is_array() && (!frames.is_object() || &frames == &none))
     return wrong("frames", "must list the sprites of the sheet");
   SpriteSheet sheet;
-  if (json->contains("meta") && json->at("meta").is_object())
-    sheet.picture = text_at(json->at("meta"), "image");
-  const Json& frames = json->at("frames");
+  sheet.picture = text_at(atlases.size() == 1 ? atlas : meta, "image");
   if (frames.size() > max_sprites)
     return Error{ErrorCode::limit, "lists more than 10,000 sprites", "frames"};
   size_t index = 0;
@@ -105,6 +158,7 @@ Result<SpriteSheet> read_sprite_sheet(std::string_view text) {
     ++index;
   }
   if (sheet.sprites.empty()) return wrong("frames", "lists no sprites");
+  if (Status status = check_layers(sheet, meta); !status) return status.error();
   return sheet;
 }
 

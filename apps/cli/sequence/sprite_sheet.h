@@ -28,8 +28,9 @@ struct SpriteSheet {
   std::vector<Sprite> sprites;
 };
 
-/// Reads the JSON of Aseprite and TexturePacker, with frames in a list or by name. Errors:
-/// `bad_input` with the place of the value, `limit` above 10,000 sprites.
+/// Reads the JSON of Aseprite, TexturePacker and Phaser, with frames in a list or by name. Errors:
+/// `bad_input` with the place of the value, also where the sprites lie on several pictures or are
+/// the layers of frames, and `limit` above 10,000 sprites.
 Result<SpriteSheet> read_sprite_sheet(std::string_view json);
 
 /// Divides a sheet into cells, row by row, named 0, 1, ...

@@ -14,12 +14,28 @@ struct ImageLimits {
   int64_t max_total = 600'000'000;  ///< pixels of all layers of a drawing together
 };
 
+/// Returns a number of pixels in words: "12.5 megapixels".
+inline std::string megapixels(int64_t pixels) {
+  const int64_t tenths = (pixels + 50'000) / 100'000;
+  const std::string rest = tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10);
+  return std::to_string(tenths / 10) + rest + " megapixels";
+}
+
 /// Errors: `limit` where width x height exceeds `limits`, `bad_input` where one of them is 0.
 inline Status check_image_size(int64_t width, int64_t height, const ImageLimits& limits) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width <= 0 || height <= 0) return Error{ErrorCode::bad_input, "image of " + size, ""};
-  if (width > limits.max_side || height > limits.max_side || width > limits.max_pixels / height)
-    return Error{ErrorCode::limit, "image of " + size + " is over the limit; make it smaller", ""};
+  const char* remedy = "; make it smaller, for example to 4 megapixels";
+  if (width > limits.max_side || height > limits.max_side)
+    return Error{ErrorCode::limit,
+                 "image of " + size + " is over the limit of " + std::to_string(limits.max_side) +
+                     " pixels a side" + remedy,
+                 ""};
+  if (width > limits.max_pixels / height)
+    return Error{ErrorCode::limit,
+                 "image of " + size + " (" + megapixels(width * height) +
+                     ") is over the limit of " + megapixels(limits.max_pixels) + remedy,
+                 ""};
   return Done{};
 }
 

@@ -8,9 +8,11 @@
 #include <cstring>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/image/image_limits.h"
+#include "io/image/orientation.h"
 
 namespace relievo {
 namespace {
@@ -93,6 +95,20 @@ bool read_pixels(PngReader& reader, png_bytepp rows) {
   png_read_image(reader.png, rows);
   png_read_end(reader.png, nullptr);
   return true;
+}
+
+/// Returns the content of the first chunk with this name; empty where there is none.
+ByteView chunk_of(ByteView bytes, std::string_view name) {
+  constexpr size_t around = 12;  // bytes of a chunk's length, name and checksum
+  if (bytes.size() < png_signature.size()) return {};
+  ByteView rest = bytes.subspan(png_signature.size());
+  while (rest.size() >= around) {
+    const auto size = static_cast<size_t>(big_endian(rest.data()));
+    if (size > rest.size() - around) return {};
+    if (std::memcmp(rest.data() + 4, name.data(), 4) == 0) return rest.subspan(8, size);
+    rest = rest.subspan(around + size);
+  }
+  return {};
 }
 
 constexpr size_t least_alike = 5;
@@ -298,6 +314,13 @@ Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits) {
                           ? uint16_t{samples[i]}
                           : static_cast<uint16_t>(samples[2 * i] << 8U | samples[2 * i + 1]);
   return image;
+}
+
+int png_orientation(ByteView bytes) { return exif_orientation(chunk_of(bytes, "eXIf")); }
+
+size_t png_frame_count(ByteView bytes) {
+  const ByteView control = chunk_of(bytes, "acTL");
+  return control.size() < 8 ? 1 : static_cast<size_t>(big_endian(control.data()));
 }
 
 bool is_nearly_png(ByteView bytes) {

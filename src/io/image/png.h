@@ -30,6 +30,12 @@ Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits = {}
 /// Returns whether `bytes` begin like a PNG file but for at most three bytes.
 bool is_nearly_png(ByteView bytes);
 
+/// Returns the orientation, 1 to 8, that the EXIF block of a PNG file states; else 1 (upright).
+int png_orientation(ByteView bytes);
+
+/// Returns the number of frames that an animated PNG file states; else 1.
+size_t png_frame_count(ByteView bytes);
+
 /// A text inside a PNG file. The keyword has 1 to 79 Latin-1 characters.
 struct PngText {
   std::string keyword;

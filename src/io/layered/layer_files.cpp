@@ -187,6 +187,18 @@ Status check_total(const std::vector<LayerFile>& layers, const ImageLimits& limi
   return Done{};
 }
 
+/// Checks for pictures of several sizes that all lie in the corner: sprites without their margins.
+bool are_unplaced(const std::vector<LayerFile>& layers, const ImageLimits& limits) {
+  bool differ = false;
+  for (const LayerFile& packed : layers) {
+    const auto first = png_size(layers.front().png, limits);
+    const auto size = png_size(packed.png, limits);
+    if (packed.layer.x != 0 || packed.layer.y != 0 || !first || !size) return false;
+    differ |= size->width != first->width || size->height != first->height;
+  }
+  return differ;
+}
+
 }  // namespace
 
 bool comes_before(const std::string& p, const std::string& q) {
@@ -265,7 +277,13 @@ Result<understanding::LayeredDrawing> unpack_layers(const std::vector<LayerFile>
     if (!pixels) return in_layer(pixels.error(), layers[k]);
     return pixels;
   };
-  return compose_layers(*size, std::move(stack), pixels_of, limits);
+  auto drawing = compose_layers(*size, std::move(stack), pixels_of, limits);
+  if (drawing && open && are_unplaced(layers, limits))
+    drawing->warnings.emplace_back(
+        "the pictures differ in size, but nothing says where they lie, so all were put into the "
+        "upper left corner; list them in layers.tsv with their x and y, or export them as large "
+        "as the canvas");
+  return drawing;
 }
 
 }  // namespace relievo

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "relief/layers/layer_parts.h"
+#include "relief/session/build_relief.h"
 #include "relievo/point.h"
 #include "relievo/scene.h"
 

@@ -272,7 +272,8 @@ std::vector<BackPoint> back_points(const CutSurface& surface) {
   const size_t edges = sheets.edge_owner.size();
   const auto append_cuts = [&, &mesh = mesh, &sheets = sheets, &cuts = cuts](size_t e) {
     for (int i = cuts.begin[e]; i < cuts.begin[e + 1]; ++i)
-      back.push_back(behind_edge(mesh, inflation.u, g, sheets.edge_owner[e], cuts.t[i]));
+      back.push_back(
+          behind_edge(mesh, surface.solved.inflation.u, g, sheets.edge_owner[e], cuts.t[i]));
   };
   for (size_t e = 0; e < edges; ++e) append_cuts(e);
   for (size_t e = 0; e < edges; ++e)

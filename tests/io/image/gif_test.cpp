@@ -1,3 +1,5 @@
+#include "io/image/gif.h"
+
 #include <gif_lib.h>
 #include <gtest/gtest.h>
 

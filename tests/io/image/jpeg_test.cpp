@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "io/image/decode_image.h"
+#include "io/image/orientation.h"
 
 namespace relievo {
 namespace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "io/image/decode_image.h"
+#include "io/image/orientation.h"
 #include "io/support/raw_png.h"
 
 namespace relievo {
@@ -31,6 +32,33 @@ Bytes png_header(uint32_t width, uint32_t height) {
   for (const uint8_t byte : Bytes{8, 6, 0, 0, 0}) bytes.push_back(byte);
   append_big_endian(bytes, static_cast<uint32_t>(crc32(0, &bytes[12], 17)));
   return bytes;
+}
+
+/// The file with another chunk behind its header.
+Bytes with_chunk(Bytes png, const char* name, const Bytes& content) {
+  Bytes chunk;
+  append_big_endian(chunk, static_cast<uint32_t>(content.size()));
+  chunk.insert(chunk.end(), name, name + 4);
+  chunk.insert(chunk.end(), content.begin(), content.end());
+  append_big_endian(
+      chunk, static_cast<uint32_t>(crc32(0, &chunk[4], static_cast<uInt>(content.size() + 4))));
+  png.insert(png.begin() + 33, chunk.begin(), chunk.end());
+  return png;
+}
+
+TEST(Png, ExifOrientationIsAppliedToPictures) {
+  const Image8 image = pattern(5, 3, 4);
+  const Bytes png = *encode_png(image);
+  for (uint8_t orientation = 1; orientation <= 8; ++orientation) {
+    const Bytes exif = {'I', 'I', 42, 0, 8, 0,           0, 0, 1, 0, 0x12, 1, 3,
+                        0,   1,   0,  0, 0, orientation, 0, 0, 0, 0, 0,    0};
+    const auto decoded = decode_image(with_chunk(png, "eXIf", exif));
+    ASSERT_TRUE(decoded) << to_string(decoded.error());
+    EXPECT_EQ(decoded->pixels, upright(image, orientation).pixels) << int{orientation};
+  }
+  EXPECT_EQ(png_orientation(png), 1);
+  EXPECT_EQ(png_orientation(with_chunk(png, "eXIf", {})), 1);
+  EXPECT_EQ(png_orientation(ByteView(png).first(10)), 1);
 }
 
 TEST(Png, RgbaRoundTrip) {

@@ -58,6 +58,26 @@ TEST_F(LayerFolder, WithoutATableNamesGiveTheOrder) {
   EXPECT_EQ(part_names(*drawing), (Names{"2-body", "10-head"}));
 }
 
+/// Exporters trim pictures and keep their places to themselves.
+TEST_F(LayerFolder, PicturesOfSeveralSizesWithoutPlacesGiveAWarning) {
+  const auto says_table = [&] {
+    const auto drawing = read_folder();
+    EXPECT_TRUE(drawing);
+    return std::any_of(drawing->warnings.begin(), drawing->warnings.end(), [](const auto& text) {
+      return text.find("layers.tsv") != std::string::npos;
+    });
+  };
+  write("1.png", disc(200, 160, {100, 80}, 70, red));
+  EXPECT_FALSE(says_table());
+  write("2.png", disc(60, 60, {30, 30}, 28, blue));
+  EXPECT_TRUE(says_table());
+  write("layers.tsv", "file\tx\ty\n1.png\t0\t0\n2.png\t150\t0\n");
+  EXPECT_FALSE(says_table());
+  std::filesystem::remove(folder_.path() / "layers.tsv");
+  write("2.png", disc(200, 160, {100, 30}, 28, blue));
+  EXPECT_FALSE(says_table());
+}
+
 TEST_F(LayerFolder, PixelsOfAllLayersTogetherAreLimited) {
   for (const char* name : {"1.png", "2.png", "3.png"})
     write(name, disc(60, 60, {30, 30}, 28, blue));

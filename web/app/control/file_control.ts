@@ -38,7 +38,7 @@ export class FileControl {
     const [first] = files;
     const layers = layersAmong(files);
     const scene = files.find(({ path }) => path.endsWith('.json'));
-    if (scene) await this.opening(scene.path, async () => this.openScene(scene, files));
+    if (scene && files.length > 1) await this.opening(scene.path, async () => this.openScene(scene, files));
     else if (layers) await this.opening(name, async () => this.openLayers(name, await readLayers(layers)));
     else if (first) await this.open(first.file);
   }
@@ -47,15 +47,24 @@ export class FileControl {
   async open(file: File): Promise<void> {
     await this.opening(file.name, async () => {
       const bytes = new Uint8Array(await file.arrayBuffer());
-      const kind = fileKind(bytes);
-      if (kind === 'project') await this.openProject(bytes);
-      else if (kind === 'svg') await this.openSvg(file.name, bytes);
-      else if (kind === 'openraster') await this.openLayers(file.name, await unpackOra(bytes));
-      else if (kind === 'photoshop') await this.openLayers(file.name, [{ name: file.name, bytes }]);
-      else if (kind === 'picture') await this.openImage(file.name, bytes, pictureType(bytes) ?? '');
-      else if (kind === 'scene') await this.openScene({ path: file.name, file }, []);
-      else throw new Error(t(kind === 'model' ? 'finishedModel' : kind === 'packed' ? 'packedFile' : 'unknownFile'));
+      try {
+        await this.openBytes(file, bytes);
+      } catch (error) {
+        const unread = await this.engine.unreadFile(bytes);
+        throw unread ? new Error(t('unreadFile', { ...unread })) : error;
+      }
     });
+  }
+
+  private async openBytes(file: File, bytes: Uint8Array): Promise<void> {
+    const kind = fileKind(bytes);
+    if (kind === 'project') await this.openProject(bytes);
+    else if (kind === 'svg') await this.openSvg(file.name, bytes);
+    else if (kind === 'openraster') await this.openLayers(file.name, await unpackOra(bytes));
+    else if (kind === 'photoshop') await this.openLayers(file.name, [{ name: file.name, bytes }]);
+    else if (kind === 'picture') await this.openImage(file.name, bytes, pictureType(bytes) ?? '');
+    else if (kind === 'scene') await this.openScene({ path: file.name, file }, []);
+    else throw new Error(t('unknownFile'));
   }
 
   /** Continues with only that area of the open flat drawing that a mask shows as the figure. */

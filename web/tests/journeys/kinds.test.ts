@@ -66,6 +66,22 @@ it('opens a scene file with or without its drawing, and refuses other files', as
   expect(stage.troubles).toEqual([]);
 });
 
+it('says what the files of other programs are, and what to do with them', async () => {
+  const { page } = stage;
+  const foreign = [
+    ['fox.xcf', 'gimp xcf v011\0', 'OpenRaster'],
+    ['fox.png', '<!DOCTYPE html><p>Not Found</p>', 'download it again'],
+    ['fox.json', '{"v":"5","fr":30,"op":60,"layers":[]}', 'Lottie'],
+    ['fox.heic', '\0\0\0\x18ftypheic\0\0\0\0', 'save it as JPEG or PNG'],
+  ] as const;
+  for (const [name, text, remedy] of foreign) {
+    await page.goto(stage.url);
+    await give({ name, bytes: Buffer.from(text, 'latin1') });
+    await page.waitForFunction((words) => document.querySelector('[role=status]')?.textContent?.includes(words), remedy);
+  }
+  expect(stage.troubles).toEqual([]);
+});
+
 it('opens a photo of twelve megapixels and finds its parts', async () => {
   const { page } = stage;
   const bear = readFileSync(join(root, 'examples/bear.png')).toString('base64');

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "io/image/image_limits.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
+
+namespace relievo {
+
+/// Returns whether `bytes` begin like a WebP file.
+bool is_webp(ByteView bytes);
+
+/// Decodes a WebP file, or the first frame of an animated one, to 8-bit sRGB with straight alpha, 4
+/// channels, upright by its EXIF orientation. Errors: `bad_input` where the file is damaged or cut
+/// short, `limit`.
+Result<Image8> decode_webp(ByteView bytes, const ImageLimits& limits = {});
+
+/// Counts the frames of a WebP file; 0 where it is damaged.
+size_t webp_frame_count(ByteView bytes);
+
+/// Decodes all frames of a WebP file, each as a player shows it. Errors: as decode_webp.
+Result<std::vector<Image8>> decode_webp_frames(ByteView bytes, const ImageLimits& limits = {});
+
+}  // namespace relievo
