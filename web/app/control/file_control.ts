@@ -56,7 +56,7 @@ export class FileControl {
     });
   }
 
-  private async openBytes(file: File, bytes: Uint8Array): Promise<void> {
+  private async openBytes(file: File, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
     const kind = fileKind(bytes);
     if (kind === 'project') await this.openProject(bytes);
     else if (kind === 'svg') await this.openSvg(file.name, bytes);
