@@ -80,15 +80,22 @@ Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunConte
   return loaded;
 }
 
-/// Makes the scene of layers of pixels, or of the picture that they make where they are no parts.
+/// Makes the scene of layers of pixels, or of the picture that they make where that shows more
+/// parts.
 Result<SceneInput> from_layers(Result<understanding::LayeredDrawing> drawing,
                                const InputFile& input, bool connect, const RunContext& context) {
   if (!drawing) return drawing.error();
-  if (!drawing->flat)
+  const bool several = drawing->marks.size() > 1;
+  if (!drawing->flat || !drawing->marks.empty())
     if (Status status = understanding::make_parts(*drawing); !status) return status.error();
   if (!drawing->flat) return with_layers(std::move(*drawing), connect);
-  auto loaded = understand_flat(std::move(drawing->picture), input.name, connect, context);
+  auto loaded = understand_flat(drawing->picture, input.name, connect, context);
+  const bool is_one = !drawing->scene.parts.empty() && (!loaded || loaded->scene.parts.size() < 2);
+  if (is_one) return with_layers(std::move(*drawing), connect);
   if (!loaded) return loaded.error();
+  if (several)
+    drawing->warnings.emplace_back(
+        "the layers hold one part together, so its parts are found in the picture that they make");
   loaded->warnings.insert(loaded->warnings.begin(), drawing->warnings.begin(),
                           drawing->warnings.end());
   return loaded;

@@ -60,9 +60,6 @@ Status propose(LayeredDrawing& drawing, size_t max_marks) {
   drawing.flat = silhouettes.silhouettes.size() < 2 && shows_something(drawing.picture.rgba);
   drawing.warnings.insert(drawing.warnings.end(), silhouettes.notes.begin(),
                           silhouettes.notes.end());
-  if (drawing.flat)
-    drawing.warnings.emplace_back(
-        "the layers hold one part together, so its parts are found in the picture that they make");
   return Done{};
 }
 
