@@ -1,8 +1,8 @@
 #include "io/psd/psd_fill.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <string_view>
 
 #include "relievo/point.h"
@@ -149,7 +149,9 @@ std::optional<std::array<uint8_t, 3>> fill_color(ByteView solid_fill) {
     const size_t at = text.find(keys[k]);
     if (at == std::string_view::npos) return std::nullopt;
     BigEndian data(solid_fill.subspan(at + keys[k].size()));
-    const double value = std::bit_cast<double>(data.take(8));
+    const uint64_t bits = data.take(8);
+    double value = 0;  // the browser's library has no std::bit_cast
+    std::memcpy(&value, &bits, sizeof value);
     if (data.beyond() || !(value >= 0 && value <= 255)) return std::nullopt;
     rgb[k] = static_cast<uint8_t>(std::lround(value));
   }
