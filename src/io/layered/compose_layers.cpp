@@ -159,12 +159,12 @@ class Composer {
     page_.rgba = Image8(canvas.width, canvas.height, 4);
   }
 
-  Status put(const RasterLayer& layer) {
+  Status put(RasterLayer layer) {
     if (Status status = go_to(layer.group); !status) return status;
-    RasterLayer cut = cut_to_canvas(layer, canvas_.width, canvas_.height);
+    RasterLayer cut = cut_to_canvas(std::move(layer), canvas_.width, canvas_.height);
     if (Status status = lay_on_top(cut); !status) return status;
     cut_marks(cut);
-    if (!cut.rgba.empty() && !is_merged(layer.group)) add(std::move(cut));
+    if (!cut.rgba.empty() && !is_merged(cut.group)) add(std::move(cut));
     return Done{};
   }
 
@@ -310,7 +310,7 @@ Result<LayeredDrawing> compose_layers(ImageSize canvas, LayerStack stack, const 
     if (!pixels) return pixels.error();
     RasterLayer layer = stack.layers[k];
     layer.rgba = std::move(*pixels);
-    if (Status status = composer.put(layer); !status) return status.error();
+    if (Status status = composer.put(std::move(layer)); !status) return status.error();
   }
   auto drawing = composer.finish();
   if (!drawing) return drawing;

@@ -71,22 +71,24 @@ Part part_of(const RasterLayer& layer, Region region) {
 
 }  // namespace
 
-RasterLayer cut_to_canvas(const RasterLayer& layer, int width, int height) {
+RasterLayer cut_to_canvas(RasterLayer layer, int width, int height) {
   const int left = std::max(layer.x, 0);
   const int top = std::max(layer.y, 0);
   const int64_t right = std::min<int64_t>(int64_t{layer.x} + layer.rgba.width, width);
   const int64_t bottom = std::min<int64_t>(int64_t{layer.y} + layer.rgba.height, height);
-  RasterLayer cut = layer;
-  cut.x = left;
-  cut.y = top;
-  cut.rgba = {};
-  if (right <= left || bottom <= top) return cut;
-  cut.rgba = Image8(static_cast<int>(right - left), static_cast<int>(bottom - top), 4);
-  for (int y = 0; y < cut.rgba.height; ++y) {
+  const bool is_beside = right <= left || bottom <= top;
+  if (!is_beside && right - left == layer.rgba.width && bottom - top == layer.rgba.height)
+    return layer;
+  Image8 cut;
+  if (!is_beside) cut = Image8(static_cast<int>(right - left), static_cast<int>(bottom - top), 4);
+  for (int y = 0; y < cut.height; ++y) {
     const uint8_t* row = &layer.rgba.at(left - layer.x, y + top - layer.y);
-    std::copy(row, row + 4 * (right - left), &cut.rgba.at(0, y));
+    std::copy(row, row + 4 * (right - left), &cut.at(0, y));
   }
-  return cut;
+  layer.x = left;
+  layer.y = top;
+  layer.rgba = std::move(cut);
+  return layer;
 }
 
 Region opaque_region(const RasterLayer& layer) {

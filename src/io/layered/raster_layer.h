@@ -35,7 +35,7 @@ struct RasterLayer {
 };
 
 /// Returns the layer without its pixels beyond the canvas; without any where it lies beside it.
-RasterLayer cut_to_canvas(const RasterLayer& layer, int width, int height);
+RasterLayer cut_to_canvas(RasterLayer layer, int width, int height);
 
 /// Returns the area where the layer's alpha is at least one half, exact to a fraction of a pixel.
 Region opaque_region(const RasterLayer& layer);
