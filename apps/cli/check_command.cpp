@@ -199,20 +199,6 @@ void print_scene(const SceneInput& input) {
   print_warnings(warnings_about_outlines(scene));
 }
 
-/// Returns the picture of a scene and its file: the one that the scene was read with, or a new one.
-Result<SceneDrawing> drawing_of(const InputFile& file, const SceneInput& input) {
-  const std::string& from = input.drawing_file;
-  Result<Bytes> bytes = Bytes();
-  if (from == "-")
-    bytes = file.bytes;
-  else if (!from.empty())
-    bytes = read_file(from);
-  else if (!input.drawing.rgba.empty())
-    bytes = encode_png(input.drawing.rgba);
-  if (!bytes) return bytes.error();
-  return SceneDrawing{from, std::move(*bytes)};
-}
-
 /// Lists what would go wrong in printing the solid or figure.
 Status print_weak_spots(const CheckArguments& check, SceneInput& input, const RunContext& context) {
   ReliefArguments arguments = check.relief;

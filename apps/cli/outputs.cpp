@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "api/inputs.h"
 #include "io/files/paths.h"
 #include "io/image/gif.h"
 #include "io/image/heif.h"
@@ -110,6 +109,19 @@ std::string picture_kind(ByteView bytes) {
   if (is_webp(bytes)) return "webp";
   if (is_heif(bytes)) return is_avif(bytes) ? "avif" : "heic";
   return sniff(bytes) == InputKind::svg ? "svg" : "jpeg";
+}
+
+Result<SceneDrawing> drawing_of(const InputFile& file, const SceneInput& input) {
+  const std::string& from = input.drawing_file;
+  Result<Bytes> bytes = Bytes();
+  if (from == "-")
+    bytes = file.bytes;
+  else if (!from.empty())
+    bytes = read_file(from);
+  else if (!input.drawing.rgba.empty())
+    bytes = encode_png(input.drawing.rgba);
+  if (!bytes) return bytes.error();
+  return SceneDrawing{from, std::move(*bytes)};
 }
 
 void add_scene(Outputs& outputs, const std::string& output, Scene scene,

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/inputs.h"
 #include "apps/cli/arguments.h"
 #include "apps/cli/interruption.h"
 #include "relievo/bytes.h"
@@ -51,6 +52,9 @@ struct SceneDrawing {
   std::string file;  ///< its path; empty if it has no file of its own
   Bytes bytes;       ///< empty if there is no drawing
 };
+
+/// Returns the picture of a scene and its file: the one that the scene was read with, or a new one.
+Result<SceneDrawing> drawing_of(const InputFile& file, const SceneInput& input);
 
 /// Returns the file extension for the format of a picture, without the dot.
 std::string picture_kind(ByteView bytes);

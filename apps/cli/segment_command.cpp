@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/report.h"
+#include "apps/cli/segment_layers.h"
 #include "io/files/number_text.h"
 #include "io/files/paths.h"
 #include "io/image/animation.h"
@@ -37,13 +39,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* segment_help =
     R"(Turns a flat drawing into a scene. Finds the parts, completes the regions that other parts hide,
-orders the parts in depth and proposes joins. An SVG drawing is first painted as a picture.
+orders the parts in depth and proposes joins. A layered drawing keeps its own parts with their names,
+unless an option asks for others, or its layers are none.
 
 Examples:
   relievo segment wolf.png -o wolf.relievo
   relievo segment photo.jpg --scribbles strokes.png -o wolf.relievo --overlay understood.png
   relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
   relievo segment wolf.png -o wolf.psd
+  relievo segment wolf.ora -o wolf.relievo
   relievo build wolf.relievo -o wolf.glb)";
 
 struct SegmentArguments {
@@ -55,6 +59,11 @@ struct SegmentArguments {
   std::string output;     ///< project .relievo, scene .json or layers .psd
   std::string overlay;    ///< files; empty: not wanted
   std::string report;
+
+  /// Returns whether parts are to be found in pixels.
+  bool asks_for_parts() const {
+    return parts > 0 || !labels.empty() || !scribbles.empty() || !figure.empty();
+  }
 };
 
 /// A flat drawing with what is known of it.
@@ -204,17 +213,18 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
   return Done{};
 }
 
-Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& context) {
-  const auto file = read_input(segment.common.input);
-  if (!file) return file.error();
-  auto input = from_file(*file);
-  if (!input) return in_file(input.error(), file->name);
+/// Loads a drawing to segment. `layers`: the drawing of layers that are no parts; empty for others.
+Result<SegmentInput> load(const SegmentArguments& segment, const InputFile& file,
+                          const Drawing& layers, const RunContext& context) {
+  auto input =
+      layers.rgba.empty() ? from_file(file) : from_picture_of(file, encode_png(layers.rgba));
+  if (!input) return in_file(input.error(), file.name);
   auto pixels = decode_image(input->project.drawing.bytes);
-  if (!pixels) return in_file(pixels.error(), file->name);
+  if (!pixels) return in_file(pixels.error(), file.name);
   input->pixels = std::move(*pixels);
   if (Status status = choose_labels(segment, *input, context); !status)
-    return in_first_frame(status.error(), file->bytes);
-  input->first_frame = first_frame_warning(file->bytes);
+    return in_first_frame(status.error(), file.bytes);
+  input->first_frame = first_frame_warning(file.bytes);
   const Image16& labels =
       input->found.labels.empty() ? input->project.segmentation->labels : input->found.labels;
   if (labels.width != input->pixels.width || labels.height != input->pixels.height)
@@ -271,6 +281,32 @@ std::string summary(const Scene& scene) {
          (flat > 0 ? ", " + std::to_string(flat) + " flat" : "");
 }
 
+/// Loads a layered drawing; nothing for other files. An SVG may also be one that only its picture
+/// tells parts of.
+Result<std::optional<SceneInput>> read_layers(const InputFile& file, const RunContext& context) {
+  if (!is_layered(file)) return std::optional<SceneInput>();
+  auto drawing = load_scene(file, true, context);
+  if (drawing) return std::optional(std::move(*drawing));
+  if (file.folder || sniff(file.bytes) != InputKind::svg) return drawing.error();
+  return std::optional<SceneInput>();
+}
+
+Status write_own_parts(const SegmentArguments& segment, const InputFile& file,
+                       const SceneInput& drawing, Interruption& interruption) {
+  if (!segment.report.empty())
+    return Error{ErrorCode::usage,
+                 "--report is for parts that were found in a picture; for those of layers use: "
+                 "relievo check",
+                 ""};
+  const auto made = layer_outputs(segment.output, segment.overlay, file, drawing);
+  if (!made) return made.error();
+  if (Status status = save(*made, drawing.files, interruption); !status) return status;
+  print_warnings(drawing.warnings);
+  print_note(summary(drawing.scene) + ": the layers of the drawing");
+  for (const OutputFile& written : made->files) print_result(written.path.string());
+  return Done{};
+}
+
 Status run_segment(const SegmentArguments& segment, Interruption& interruption) {
   std::vector<fs::path> inputs;
   for (const std::string* name :
@@ -281,7 +317,14 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
     return status;
   Progress progress;
   const RunContext context = progress.context(interruption.flag());
-  auto loaded = load(segment, context);
+  const auto file = read_input(segment.common.input);
+  if (!file) return file.error();
+  auto layers = read_layers(*file, context);
+  if (!layers) return layers.error();
+  if (*layers && has_own_parts(**layers) && !segment.asks_for_parts())
+    return write_own_parts(segment, *file, **layers, interruption);
+  const bool is_svg = !file->folder && sniff(file->bytes) == InputKind::svg;
+  auto loaded = load(segment, *file, *layers && !is_svg ? (*layers)->drawing : Drawing(), context);
   if (!loaded) return loaded.error();
   const Stopwatch watch;
   const auto understood = understanding::understand_drawing(
@@ -292,10 +335,11 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
     return Error{ErrorCode::bad_input, "has no parts: all were removed in the project", ""};
   const Outputs made = outputs_of(segment, *loaded, *understood, watch.milliseconds());
   if (Status status = save(made, inputs, interruption); !status) return status;
+  if (*layers && !is_svg) print_warnings((*layers)->warnings);
   print_warnings(understood->warnings);
   if (!loaded->first_frame.empty()) print_warnings({loaded->first_frame});
   print_note(summary(understood->scene));
-  for (const OutputFile& file : made.files) print_result(file.path.string());
+  for (const OutputFile& written : made.files) print_result(written.path.string());
   return Done{};
 }
 
@@ -305,7 +349,8 @@ void add_segment(CLI::App& main, Command& chosen) {
   const auto segment = std::make_shared<SegmentArguments>();
   CLI::App& app = *main.add_subcommand("segment", segment_help);
   add_common(app, segment->common,
-             "Drawing (.png, .jpg, .gif, .svg), or a project, whose corrections are applied");
+             "Drawing (picture, SVG, OpenRaster, PSD, folder of pictures), or a project, whose "
+             "corrections are applied");
   auto* labels =
       add_path(app, "--labels", segment->labels,
                "Grey or palette picture whose values number the parts; 0 is background (.png)");

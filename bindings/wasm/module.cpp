@@ -106,7 +106,7 @@ Result<LayeredDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
                    layer.file};
     layer.png = picture->bytes;
   }
-  return unpack_layers(*layers, {}, page_limits);
+  return unpack_layers(*layers, {}, {}, page_limits);
 }
 
 Result<LayeredDrawing> read_layers(const std::vector<ArchiveEntry>& entries) {
@@ -116,7 +116,7 @@ Result<LayeredDrawing> read_layers(const std::vector<ArchiveEntry>& entries) {
 }
 
 /// Imports a painted drawing. Returns {scene, proposed, warnings, drawing}: the text of a scene
-/// file, missing if there is only one layer, and the picture, a PNG file. `files` is an array of
+/// file, missing if the layers are no parts, and the picture, a PNG file. `files` is an array of
 /// {name, bytes}: a Photoshop document, the entries of an OpenRaster archive, or transparent
 /// pictures, one per layer. These are listed in a layers.tsv among them (see layer_files.h), or
 /// else are back to front in the natural order of their names.

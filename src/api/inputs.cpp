@@ -1,6 +1,7 @@
 #include "api/inputs.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -8,6 +9,7 @@
 #include "io/archive/zip_archive.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
+#include "io/layered/merged_picture.h"
 #include "io/layered/read_layer_folder.h"
 #include "io/layered/read_ora.h"
 #include "io/project/project_file.h"
@@ -92,14 +94,45 @@ Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunConte
   return loaded;
 }
 
-Result<SceneInput> load_folder(const InputFile& input, bool connect) {
-  std::vector<fs::path> files;
-  auto folder = read_layer_folder(input.name, files);
-  if (!folder) return folder.error();
-  if (Status status = understanding::make_parts(*folder); !status) return status.error();
-  SceneInput loaded = with_layers(std::move(*folder), connect);
-  loaded.files = std::move(files);
+/// Makes the scene of layers of pixels, or of the picture that they make where that shows more
+/// parts.
+Result<SceneInput> from_layers(Result<understanding::LayeredDrawing> drawing,
+                               const InputFile& input, bool connect, const RunContext& context) {
+  if (!drawing) return drawing.error();
+  const bool several = drawing->marks.size() > 1;
+  if (!drawing->flat || !drawing->marks.empty())
+    if (Status status = understanding::make_parts(*drawing); !status) return status.error();
+  if (!drawing->flat) return with_layers(std::move(*drawing), connect);
+  auto loaded = understand_flat(drawing->picture, input.name, connect, context);
+  const bool is_one = !drawing->scene.parts.empty() && (!loaded || loaded->scene.parts.size() < 2);
+  if (is_one) return with_layers(std::move(*drawing), connect);
+  if (!loaded) return loaded.error();
+  if (several)
+    drawing->warnings.emplace_back(
+        "the layers hold one part together, so its parts are found in the picture that they make");
+  loaded->warnings.insert(loaded->warnings.begin(), drawing->warnings.begin(),
+                          drawing->warnings.end());
   return loaded;
+}
+
+Result<SceneInput> load_folder(const InputFile& input, bool connect, const RunContext& context) {
+  std::vector<fs::path> files;
+  auto loaded = from_layers(read_layer_folder(input.name, files), input, connect, context);
+  if (loaded) loaded->files = std::move(files);
+  return loaded;
+}
+
+/// Paints a vector layer at its own size.
+Result<Image8> paint_svg(const Bytes& svg) {
+  SvgOptions own_size;
+  own_size.min_side = 0;
+  own_size.max_side = std::numeric_limits<double>::infinity();
+  const auto drawing = read_svg(text_of(svg), own_size);
+  if (!drawing) return drawing.error();
+  const understanding::PaintableSvg& text = drawing->paintable;
+  auto picture = rasterize(text, std::max(text.width, text.height));
+  if (!picture) return picture.error();
+  return std::move(picture->rgba);
 }
 
 /// Returns the pixels of a picture, or of a vector drawing that covers the scene's canvas.
@@ -155,33 +188,36 @@ Result<SceneInput> load_project(const InputFile& input) {
   return loaded;
 }
 
-Result<SceneInput> load_archive(const InputFile& input, bool connect) {
+/// Makes the scene of a painting of which only the merged picture, or a preview, can be read.
+Result<SceneInput> load_preview(const InputFile& input, bool connect, const RunContext& context) {
+  const auto entries = unpack_archive(
+      input.bytes, {}, {"mergedimage.png", "preview.png", "QuickLook/Thumbnail.png"});
+  if (!entries) return entries.error();
+  for (const ArchiveEntry& entry : *entries) {
+    auto pixels = decode_image(entry.bytes);
+    if (!pixels || is_blank(*pixels)) continue;
+    auto loaded = understand_flat({std::move(*pixels)}, input.name, connect, context);
+    if (!loaded) return loaded.error();
+    const FileKind kind = file_kind(input.bytes);
+    loaded->warnings.insert(loaded->warnings.begin(),
+                            "it is " + std::string(kind.name) + ", of which only the picture " +
+                                entry.name + " is read; " + std::string(kind.remedy));
+    return loaded;
+  }
+  return refused_file(input.bytes);
+}
+
+Result<SceneInput> load_archive(const InputFile& input, bool connect, const RunContext& context) {
   if (is_project(input.bytes)) return load_project(input);
+  if (!file_kind(input.bytes).remedy.empty()) return load_preview(input, connect, context);
   const auto entries = unpack_archive(input.bytes);
   if (!entries) return entries.error();
-  if (!is_ora(*entries) && !file_kind(input.bytes).remedy.empty()) return refused_file(input.bytes);
   if (!is_ora(*entries))
     return Error{ErrorCode::bad_input,
                  "is an archive, but neither a project nor an OpenRaster drawing; unpack it, since "
                  "a folder of PNG files can be one drawing",
                  ""};
-  auto ora = read_ora(*entries);
-  if (!ora) return ora.error();
-  if (Status status = understanding::make_parts(*ora); !status) return status.error();
-  return with_layers(std::move(*ora), connect);
-}
-
-Result<SceneInput> load_psd(const InputFile& input, bool connect, const RunContext& context) {
-  auto psd = read_psd(input.bytes);
-  if (!psd) return psd.error();
-  if (!psd->flat) {
-    if (Status status = understanding::make_parts(*psd); !status) return status.error();
-    return with_layers(std::move(*psd), connect);
-  }
-  auto loaded = understand_flat(std::move(psd->picture), input.name, connect, context);
-  if (!loaded) return loaded.error();
-  loaded->warnings.insert(loaded->warnings.end(), psd->warnings.begin(), psd->warnings.end());
-  return loaded;
+  return from_layers(read_ora(*entries, {}, paint_svg), input, connect, context);
 }
 
 /// Returns the path of a scene's drawing; fails if a link leads out of the scene's folder.
@@ -226,12 +262,12 @@ Result<SceneInput> load_json(const InputFile& input) {
 }
 
 Result<SceneInput> load(const InputFile& input, bool connect, const RunContext& context) {
-  if (input.folder) return load_folder(input, connect);
+  if (input.folder) return load_folder(input, connect, context);
   const InputKind kind = sniff(input.bytes);
   if (kind == InputKind::svg) return load_svg(input, connect, context);
   if (kind == InputKind::json) return load_json(input);
-  if (kind == InputKind::zip) return load_archive(input, connect);
-  if (kind == InputKind::psd) return load_psd(input, connect, context);
+  if (kind == InputKind::zip) return load_archive(input, connect, context);
+  if (kind == InputKind::psd) return from_layers(read_psd(input.bytes), input, connect, context);
   if (kind == InputKind::image) return read_picture(input, connect, context);
   return refused_file(input.bytes);
 }

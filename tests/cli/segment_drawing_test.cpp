@@ -1,5 +1,6 @@
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
@@ -184,6 +185,31 @@ TEST_F(SegmentDrawing, VectorsAreTakenAsThePictureThatTheyPaint) {
   EXPECT_EQ(read("figure.relievo.glb"), read("scene.json.glb"));
   ASSERT_EQ(relievo({"segment", "figure.relievo", "-o", "again.relievo"}).exit_code, 0);
   EXPECT_EQ(read("again.relievo"), read("figure.relievo"));
+}
+
+TEST_F(SegmentDrawing, ALayeredDrawingKeepsItsOwnParts) {
+  write("figure.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="400" height="400">
+    <circle id="body" cx="200" cy="230" r="120" fill="#c84"/>
+    <circle id="head" cx="200" cy="90" r="60" fill="#468"/></svg>)");
+  for (const char* output : {"scene.json", "figure.relievo", "figure.psd"}) {
+    const Outcome segmented = relievo({"segment", "figure.svg", "-o", output});
+    ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
+    EXPECT_NE(segmented.err.find("2 parts,"), std::string::npos) << segmented.err;
+  }
+  const auto parts = nlohmann::json::parse(read("scene.json"))["parts"];
+  EXPECT_EQ(parts[0]["id"], "body");
+  EXPECT_EQ(parts[1]["id"], "head");
+  EXPECT_EQ(decode_project(to_bytes(read("figure.relievo")))->scene.parts[1].id, "head");
+  for (const char* input : {"scene.json", "figure.relievo", "figure.psd"})
+    EXPECT_EQ(relievo({"build", input, "-o", "figure.glb", "--vertices", "2000"}).exit_code, 0);
+  const Outcome again = relievo({"segment", "figure.psd", "-o", "again.json"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(nlohmann::json::parse(read("again.json"))["parts"][1]["id"], "head");
+  // An option that asks for parts finds them in the pixels.
+  const Outcome asked = relievo({"segment", "figure.psd", "--parts", "2", "-o", "found.json"});
+  ASSERT_EQ(asked.exit_code, 0) << asked.err;
+  EXPECT_NE(nlohmann::json::parse(read("found.json"))["parts"][0]["id"], "body");
+  expect_failure({"segment", "figure.svg", "-o", "a.json", "--report", "r.json"}, 2, "--report");
 }
 
 TEST_F(SegmentDrawing, MistakesAreExplained) {

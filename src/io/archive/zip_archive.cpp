@@ -119,10 +119,11 @@ Result<Bytes> unpack(zip_t* archive, const zip_stat_t& stat) {
   return bytes;
 }
 
-/// Returns the checked directory entries of all files.
-Result<std::vector<zip_stat_t>> list_files(zip_t* archive, const ArchiveLimits& limits) {
+/// Returns the checked directory entries of the files with these names, or of all.
+Result<std::vector<zip_stat_t>> list_files(zip_t* archive, const ArchiveLimits& limits,
+                                           const std::set<std::string>& wanted) {
   const zip_int64_t count = zip_get_num_entries(archive, 0);
-  if (count > static_cast<zip_int64_t>(limits.max_entries))
+  if (wanted.empty() && count > static_cast<zip_int64_t>(limits.max_entries))
     return Error{ErrorCode::limit, "the archive has too many entries", ""};
   std::vector<zip_stat_t> files;
   std::set<std::string> names;
@@ -133,6 +134,7 @@ Result<std::vector<zip_stat_t>> list_files(zip_t* archive, const ArchiveLimits& 
       return damaged(zip_strerror(archive));
     const std::string name = stat.name;
     if (!name.empty() && name.back() == '/') continue;
+    if (!wanted.empty() && wanted.count(name) == 0) continue;
     if (!names.insert(name).second)
       return Error{ErrorCode::bad_input, "is in the archive twice", name};
     if (Status status = check_entry(stat, limits, room); !status) return status.error();
@@ -167,11 +169,12 @@ bool is_archive(ByteView bytes) {
   return bytes.size() >= 4 && bytes[0] == 'P' && bytes[1] == 'K' && bytes[2] == 3 && bytes[3] == 4;
 }
 
-Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits) {
+Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits,
+                                                 const std::set<std::string>& names) {
   if (!is_archive(bytes)) return damaged("it does not begin like one");
   const auto archive = open_archive(bytes);
   if (!archive) return archive.error();
-  const auto files = list_files(archive->get(), limits);
+  const auto files = list_files(archive->get(), limits, names);
   if (!files) return files.error();
   std::vector<ArchiveEntry> entries;
   for (const zip_stat_t& file : *files) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "io/archive/archive.h"
@@ -24,8 +26,10 @@ struct ArchiveLimits {
 /// Returns whether `bytes` begin like a zip archive.
 bool is_archive(ByteView bytes);
 
-/// Unpacks the files of a zip archive in the order of its directory, without folders. Errors:
-/// `bad_input` (damaged, encrypted, a repeated name or one that leads out of the archive), `limit`.
-Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits = {});
+/// Unpacks the files of a zip archive in the order of its directory, without folders: those with
+/// one of the names, in an archive of any length, or all. Errors: `bad_input` (damaged, encrypted, a
+/// repeated name or one that leads out of the archive), `limit`.
+Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits = {},
+                                                 const std::set<std::string>& names = {});
 
 }  // namespace relievo

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/image/png.h"
+#include "io/layered/layer_names.h"
 #include "kernel/base/text_rules.h"
 #include "kernel/image/image_size.h"
 
@@ -87,6 +88,13 @@ class Row {
     return std::nullopt;
   }
 
+  Blending blending() {
+    const std::string_view name = text("blend");
+    const auto found = name.empty() ? Blending() : named_blending(name);
+    if (!found) fail("blend must be a mode such as multiply or screen");
+    return found.value_or(Blending());
+  }
+
   LayerRole role() {
     const std::string_view role = text("role");
     if (role == "part") return LayerRole::part;
@@ -118,6 +126,7 @@ Result<LayerFile> read_row(Row row) {
   if (!layer.name.empty() && !is_sound_id(layer.name))
     row.fail("name is too long or not plain UTF-8");
   layer.role = row.role();
+  layer.blending = row.blending();
   const auto order = row.number("order_back_to_front", -1e9, 1e9);
   result.order = order.value_or(static_cast<double>(row.line()));
   layer.x = static_cast<int>(std::lround(row.number("x", -farthest, farthest).value_or(0)));
@@ -237,7 +246,6 @@ Result<std::vector<LayerFile>> read_layer_table(std::string_view text) {
   if (rows.empty()) return Error{ErrorCode::bad_input, "lists no layer", ""};
   std::stable_sort(rows.begin(), rows.end(),
                    [](const LayerFile& p, const LayerFile& q) { return p.order < q.order; });
-  settle_roles(rows);
   return rows;
 }
 
@@ -256,24 +264,25 @@ Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names) {
 }
 
 Result<understanding::LayeredDrawing> unpack_layers(const std::vector<LayerFile>& layers,
+                                                    std::vector<LayerGroup> groups,
                                                     ImageSize canvas, const ImageLimits& limits) {
   if (Status status = check_total(layers, limits); !status) return status.error();
   const bool open = canvas.width == 0 || canvas.height == 0;
   const auto size = open ? least_canvas(layers, limits) : Result<ImageSize>(canvas);
   if (!size) return size.error();
-  understanding::LayeredDrawing drawing = empty_drawing(size->width, size->height);
-  if (open && are_unplaced(layers, limits))
-    drawing.warnings.emplace_back(
+  LayerStack stack{std::move(groups), {}};
+  for (const LayerFile& packed : layers) stack.layers.push_back(packed.layer);
+  const auto pixels_of = [&](size_t k) -> Result<Image8> {
+    auto pixels = decode_png(layers[k].png, limits);
+    if (!pixels) return in_layer(pixels.error(), layers[k]);
+    return pixels;
+  };
+  auto drawing = compose_layers(*size, std::move(stack), pixels_of, limits);
+  if (drawing && open && are_unplaced(layers, limits))
+    drawing->warnings.emplace_back(
         "the pictures differ in size, but nothing says where they lie, so all were put into the "
         "upper left corner; list them in layers.tsv with their x and y, or export them as large "
         "as the canvas");
-  for (const LayerFile& packed : layers) {
-    auto pixels = decode_png(packed.png, limits);
-    if (!pixels) return in_layer(pixels.error(), packed);
-    RasterLayer layer = packed.layer;
-    layer.rgba = std::move(*pixels);
-    put_layer(drawing, layer);
-  }
   return drawing;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/image/image_limits.h"
+#include "io/layered/compose_layers.h"
 #include "io/layered/raster_layer.h"
 #include "kernel/image/image_size.h"
 #include "relievo/bytes.h"
@@ -26,10 +27,9 @@ constexpr size_t max_layers = 1000;
 
 /// Reads a table of layers: lines of fields between tabs, the first with the names of the columns.
 /// `file` is required; `order_back_to_front` (else the rows are in order), `name`, `x`, `y`,
-/// `opacity`, `role` (part, texture or empty), `c`, `d`, `flat` and `lean` (two numbers) are
-/// optional; other columns are ignored. Returns the layers from back to front. Where some layer is
-/// a part, the others are texture. Errors name the line: `bad_input`, `limit` (more than
-/// `max_layers` rows).
+/// `opacity`, `blend` (see named_blending), `role` (part, texture or empty), `c`, `d`, `flat` and
+/// `lean` (two numbers) are optional; other columns are ignored. Returns the layers from back to
+/// front. Errors name the line: `bad_input`, `limit` (more than `max_layers` rows).
 Result<std::vector<LayerFile>> read_layer_table(std::string_view text);
 
 /// Returns whether `p` comes before `q` in the natural order of names, with the numbers in them
@@ -43,10 +43,11 @@ Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names);
 /// Most bytes of all compressed layers of a drawing together.
 constexpr uint64_t max_packed_bytes = uint64_t{1} << 30;
 
-/// Decodes the layers, back to front, one at a time, and puts them on each other. A canvas of size
-/// 0 becomes as large as the layers need. All sizes are checked first. Errors name the layer's
-/// file: `bad_input` (no PNG, damaged), `limit`.
+/// Decodes the layers, back to front, one at a time, and composes them (see compose_layers). A
+/// canvas of size 0 becomes as large as the layers need. All sizes are checked first. Errors name
+/// the layer's file: `bad_input` (no PNG, damaged), `limit`.
 Result<understanding::LayeredDrawing> unpack_layers(const std::vector<LayerFile>& layers,
+                                                    std::vector<LayerGroup> groups,
                                                     ImageSize canvas, const ImageLimits& limits);
 
 }  // namespace relievo

@@ -1,12 +1,11 @@
 #include "io/layered/raster_layer.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
-#include "kernel/base/text_rules.h"
-#include "kernel/geometry/region.h"
-#include "kernel/image/compose.h"
 #include "kernel/image/level_contours.h"
 #include "kernel/image/mask.h"
 
@@ -17,37 +16,6 @@ namespace {
 constexpr double outline_tolerance = 0.05;
 /// Width of the rim whose colour tells whether a line runs along the outline, px.
 constexpr int rim_width = 2;
-
-/// Returns the layer without its pixels beyond the canvas.
-RasterLayer cut_to_canvas(const RasterLayer& layer, const Image8& canvas) {
-  const int64_t right = int64_t{layer.x} + layer.rgba.width;
-  const int64_t bottom = int64_t{layer.y} + layer.rgba.height;
-  const int left = std::max(layer.x, 0);
-  const int top = std::max(layer.y, 0);
-  RasterLayer cut;
-  cut.x = left;
-  cut.y = top;
-  cut.opacity = layer.opacity;
-  const int64_t width = std::min<int64_t>(right, canvas.width) - left;
-  const int64_t height = std::min<int64_t>(bottom, canvas.height) - top;
-  if (width <= 0 || height <= 0) return cut;
-  cut.rgba = Image8(static_cast<int>(width), static_cast<int>(height), 4);
-  for (int y = 0; y < cut.rgba.height; ++y) {
-    const uint8_t* row = &layer.rgba.at(left - layer.x, y + top - layer.y);
-    std::copy(row, row + 4 * width, &cut.rgba.at(0, y));
-  }
-  return cut;
-}
-
-Region opaque_region(const RasterLayer& layer) {
-  ImageF alpha(layer.rgba.width, layer.rgba.height, 1);
-  for (size_t i = 0; i < alpha.pixels.size(); ++i)
-    alpha.pixels[i] = static_cast<float>(layer.opacity) * layer.rgba.pixels[4 * i + 3];
-  Region region = level_contours(alpha, 127.5F);
-  for (Ring& ring : region)
-    for (Point2& p : ring) p = p + Point2{double(layer.x), double(layer.y)};
-  return tidied(region, outline_tolerance, 1);
-}
 
 /// Returns the pixels whose four neighbours are all in the set too.
 Image8 eroded(const Image8& set) {
@@ -103,24 +71,34 @@ Part part_of(const RasterLayer& layer, Region region) {
 
 }  // namespace
 
-LayerRole named_role(const std::string& name, LayerRole of_group) {
-  if (name.starts_with("texture:")) return LayerRole::texture;
-  if (name.starts_with("part:") && of_group != LayerRole::texture) return LayerRole::part;
-  return of_group;
+RasterLayer cut_to_canvas(RasterLayer layer, int width, int height) {
+  const int left = std::max(layer.x, 0);
+  const int top = std::max(layer.y, 0);
+  const int64_t right = std::min<int64_t>(int64_t{layer.x} + layer.rgba.width, width);
+  const int64_t bottom = std::min<int64_t>(int64_t{layer.y} + layer.rgba.height, height);
+  const bool is_beside = right <= left || bottom <= top;
+  if (!is_beside && right - left == layer.rgba.width && bottom - top == layer.rgba.height)
+    return layer;
+  Image8 cut;
+  if (!is_beside) cut = Image8(static_cast<int>(right - left), static_cast<int>(bottom - top), 4);
+  for (int y = 0; y < cut.height; ++y) {
+    const uint8_t* row = &layer.rgba.at(left - layer.x, y + top - layer.y);
+    std::copy(row, row + 4 * (right - left), &cut.at(0, y));
+  }
+  layer.x = left;
+  layer.y = top;
+  layer.rgba = std::move(cut);
+  return layer;
 }
 
-std::string plain_layer_name(const std::string& name, LayerRole role) {
-  const bool marked = role == LayerRole::part && name.starts_with("part:");
-  const std::string plain = marked ? name.substr(5) : name;
-  return is_sound_id(plain) ? plain : "";
-}
-
-understanding::LayeredDrawing empty_drawing(int width, int height) {
-  understanding::LayeredDrawing drawing;
-  drawing.scene.width = width;
-  drawing.scene.height = height;
-  drawing.picture.rgba = Image8(width, height, 4);
-  return drawing;
+Region opaque_region(const RasterLayer& layer) {
+  ImageF alpha(layer.rgba.width, layer.rgba.height, 1);
+  for (size_t i = 0; i < alpha.pixels.size(); ++i)
+    alpha.pixels[i] = static_cast<float>(layer.opacity) * layer.rgba.pixels[4 * i + 3];
+  Region region = level_contours(alpha, 127.5F);
+  for (Ring& ring : region)
+    for (Point2& p : ring) p = p + Point2{double(layer.x), double(layer.y)};
+  return tidied(region, outline_tolerance, 1);
 }
 
 std::optional<understanding::Mark> opaque_mark(const RasterLayer& layer) {
@@ -131,12 +109,8 @@ std::optional<understanding::Mark> opaque_mark(const RasterLayer& layer) {
   return mark;
 }
 
-void put_layer(understanding::LayeredDrawing& drawing, const RasterLayer& layer) {
-  const RasterLayer cut = cut_to_canvas(layer, drawing.picture.rgba);
-  if (cut.rgba.empty()) return;
-  lay_picture_over(drawing.picture.rgba, cut.x, cut.y, cut.rgba, cut.opacity);
-  if (layer.role == LayerRole::texture) return;
-  std::optional<understanding::Mark> found = opaque_mark(cut);
+void add_layer(understanding::LayeredDrawing& drawing, const RasterLayer& layer) {
+  std::optional<understanding::Mark> found = opaque_mark(layer);
   if (!found) {
     drawing.warnings.push_back((layer.name.empty() ? "a layer" : "layer " + layer.name) +
                                " is less than half opaque everywhere and becomes no part");
@@ -151,6 +125,20 @@ void put_layer(understanding::LayeredDrawing& drawing, const RasterLayer& layer)
   mark.name = layer.name;
   mark.group = layer.group;
   drawing.marks.push_back(std::move(mark));
+}
+
+void add_ink(understanding::LayeredDrawing& drawing, RasterLayer layer) {
+  if (!white_is_neutral(layer.blending.mode)) return;
+  for (size_t i = 0; i < layer.rgba.pixels.size(); i += 4) {
+    uint8_t* pixel = &layer.rgba.pixels[i];
+    pixel[3] = static_cast<uint8_t>(std::lround(alpha_alone(pixel, layer.blending.mode)));
+  }
+  std::optional<understanding::Mark> mark = opaque_mark(layer);
+  if (!mark) return;
+  mark->name = layer.name;
+  mark->group = layer.group;
+  mark->blends = true;
+  drawing.marks.push_back(std::move(*mark));
 }
 
 }  // namespace relievo

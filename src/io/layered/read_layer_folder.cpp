@@ -60,7 +60,7 @@ Result<understanding::LayeredDrawing> read_layer_folder(const fs::path& folder,
     layer.png = std::move(*bytes);
     files.push_back(path);
   }
-  auto drawing = unpack_layers(*layers, {}, limits);
+  auto drawing = unpack_layers(*layers, {}, {}, limits);
   if (!drawing) return in_file(drawing.error(), folder.string());
   return drawing;
 }

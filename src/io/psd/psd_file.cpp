@@ -56,9 +56,9 @@ std::string take_unicode(BigEndian data) {
 
 /// Returns whether a key belongs to layers without pixels of their own.
 bool is_adjustment(std::string_view key) {
-  static constexpr std::array<std::string_view, 19> keys = {
-      "brit", "levl", "curv", "expA", "vibA", "hue ", "hue2", "blnc", "blwh", "phfl",
-      "mixr", "clrL", "nvrt", "post", "thrs", "grdm", "selc", "CgEd", "SoCo"};
+  static constexpr std::array<std::string_view, 21> keys = {
+      "brit", "levl", "curv", "expA", "vibA", "hue ", "hue2", "blnc", "blwh", "phfl", "mixr",
+      "clrL", "nvrt", "post", "thrs", "grdm", "selc", "CgEd", "SoCo", "GdFl", "PtFl"};
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
@@ -77,7 +77,8 @@ void read_block(std::string_view key, ByteView block, PsdLayer& layer) {
   if (key == "iOpa") layer.opacity *= data.u8() / 255.0;
   layer.adjusts |= is_adjustment(key);
   layer.has_effects |= key == "lfx2" || key == "lrFX" || key == "lmfx";
-  layer.has_vector_mask |= key == "vmsk" || key == "vsms";
+  if (key == "SoCo") layer.solid_fill = block;
+  if (key == "vmsk" || key == "vsms") layer.vector_mask = block;
 }
 
 std::optional<PsdMask> take_mask(ByteView block) {
@@ -86,7 +87,9 @@ std::optional<PsdMask> take_mask(ByteView block) {
   PsdMask mask;
   mask.box = take_box(data);
   mask.outside = data.u8();
-  mask.disabled = (data.u8() & 2) != 0;
+  const uint8_t flags = data.u8();
+  mask.disabled = (flags & 2) != 0;
+  mask.rendered = (flags & 8) != 0;
   return mask;
 }
 
@@ -136,7 +139,9 @@ Result<PsdLayer> take_record(BigEndian& data, const ImageLimits& limits,
 
 Status read_layers(BigEndian data, const ImageLimits& limits, PsdFile& file) {
   if (data.left() < 2) return Done{};
-  const int count = std::abs(int{data.i16()});
+  const int16_t stated = data.i16();
+  const int count = std::abs(int{stated});
+  file.merged_alpha = stated < 0 && file.channels > file.colors;
   // Each end of a group has a record of its own.
   if (count > 2 * static_cast<int>(max_layers))
     return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers", ""};
@@ -151,6 +156,21 @@ Status read_layers(BigEndian data, const ImageLimits& limits, PsdFile& file) {
     for (PsdChannel& channel : layer.channels) channel.data = data.bytes(*length++);
   if (data.beyond()) return damaged();
   return Done{};
+}
+
+/// Reads whether the flattened picture shows the layers: programs may leave it out.
+void read_resources(BigEndian data, PsdFile& file) {
+  constexpr uint16_t version_info = 1057;
+  while (data.left() >= 12 && text_of(data.bytes(4)) == "8BIM") {
+    const uint16_t id = data.u16();
+    const uint8_t length = data.u8();
+    data.skip(length + (length + 1) % 2);
+    const uint32_t size = data.u32();
+    BigEndian resource(data.bytes(size));
+    data.skip(size % 2);
+    resource.skip(4);
+    if (id == version_info) file.has_merged = resource.u8() != 0;
+  }
 }
 
 /// Reads the layers; those of 16 bits stand in a block behind the others.
@@ -287,7 +307,7 @@ Result<PsdFile> read_psd_file(ByteView bytes, const ImageLimits& limits) {
   file.colors = mode == rgb_mode ? 3 : 1;
   if (file.channels < file.colors || file.channels > 56) return damaged();
   data.skip(data.u32());  // colour mode data
-  data.skip(data.u32());  // image resources
+  read_resources(BigEndian(data.bytes(data.u32())), file);
   const ByteView layers = data.bytes(data.u32());
   if (data.beyond()) return damaged();
   if (Status status = read_layer_section(BigEndian(layers), limits, file); !status)

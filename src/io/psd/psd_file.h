@@ -34,6 +34,7 @@ struct PsdMask {
   PsdBox box;
   uint8_t outside = 0;  ///< its value outside the box
   bool disabled = false;
+  bool rendered = false;  ///< from the vector mask
 };
 
 enum class PsdKind { layer, group, group_end };
@@ -51,7 +52,8 @@ struct PsdLayer {
   bool clipped = false;      ///< to the next layer below that is not clipped
   bool adjusts = false;      ///< it has no pixels but changes what is below
   bool has_effects = false;  ///< shadows, strokes and the like around it
-  bool has_vector_mask = false;
+  ByteView solid_fill;       ///< block of a fill with one colour; empty: none
+  ByteView vector_mask;      ///< block of a vector mask; empty: none
 };
 
 struct PsdFile {
@@ -62,6 +64,8 @@ struct PsdFile {
   int channels = 3;              ///< of the flattened picture
   std::vector<PsdLayer> layers;  ///< from the back to the front; a group's end comes before it
   ByteView merged;               ///< the flattened picture, packed
+  bool has_merged = true;        ///< that picture shows the layers
+  bool merged_alpha = false;     ///< its first channel behind the colours is transparency
 };
 
 /// Returns whether the bytes begin like a Photoshop document.

@@ -9,9 +9,10 @@ namespace relievo {
 
 /// Reads a Photoshop document of 8 or 16 bits in RGB or grey, with layers as in OpenRaster drawings
 /// (see read_ora). A document without layers, or with one visible layer, is `flat`. Hidden layers
-/// are left out; masks, clipping and opacities apply, and a clipped layer is texture. Every
-/// blending mode is painted as normal, and adjustments and effects are left out, each with a
-/// warning. Errors name the layer: `bad_input`, `limit`.
+/// are left out; masks, clipping, blending and opacities apply, and what is clipped is texture.
+/// Fills of one colour are painted in their masks. Adjustments and effects are left out, each with
+/// a warning, unless the flattened picture in the file can be taken for them (see
+/// compare_with_merged). Errors name the layer: `bad_input`, `limit`.
 Result<understanding::LayeredDrawing> read_psd(ByteView bytes, const ImageLimits& limits = {});
 
 }  // namespace relievo

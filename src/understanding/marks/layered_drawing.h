@@ -23,6 +23,7 @@ struct Mark {
   double pen_width = 0;   ///< of a stroke without a fill, px
   bool outlined = false;  ///< a line of another colour runs along its outline
   bool blurred = false;   ///< its edge is soft
+  bool blends = false;    ///< it changes the colours of what lies below: ink or paint, never a part
 };
 
 /// An SVG file that is safe to render: without joins, cues, elements marked
@@ -49,7 +50,7 @@ struct LayeredDrawing {
   PaintableSvg paintable;       ///< of a vector drawing
   /// The text of `paintable` where `layers` are no parts: with the lines that would join them.
   std::string text_with_lines;
-  bool flat = false;                  ///< it is one picture: its parts come from segmentation
+  bool flat = false;                  ///< the layers are no parts: these come from segmentation
   bool proposed = false;              ///< make_parts proposed the parts
   bool line_art = false;              ///< it did, and no mark is filled: lines enclose the parts
   std::vector<std::string> warnings;  ///< a sentence each

@@ -36,6 +36,13 @@ bool holds_several_parts(std::vector<Mark> layer, const Box2& canvas) {
   return parts.size() >= parts_of_drawing && some_overlap(parts);
 }
 
+/// Returns whether some pixel is at least half opaque.
+bool shows_something(const Image8& rgba) {
+  for (size_t i = 3; i < rgba.pixels.size(); i += 4)
+    if (rgba.pixels[i] >= 128) return true;
+  return false;
+}
+
 Status propose(LayeredDrawing& drawing, size_t max_marks) {
   if (drawing.marks.size() > max_marks)
     return Error{ErrorCode::limit,
@@ -50,6 +57,7 @@ Status propose(LayeredDrawing& drawing, size_t max_marks) {
       group_silhouettes(std::move(drawing.marks), canvas_of(drawing.scene));
   drawing.scene.parts = propose_parts(silhouettes, drawing.colors);
   drawing.proposed = true;
+  drawing.flat = silhouettes.silhouettes.size() < 2 && shows_something(drawing.picture.rgba);
   drawing.warnings.insert(drawing.warnings.end(), silhouettes.notes.begin(),
                           silhouettes.notes.end());
   return Done{};
@@ -75,7 +83,7 @@ Status make_parts(LayeredDrawing& drawing, size_t max_marks) {
   settle_layers(drawing);
   if (drawing.scene.parts.empty())
     if (Status status = propose(drawing, max_marks); !status) return status;
-  if (drawing.scene.parts.empty())
+  if (drawing.scene.parts.empty() && !drawing.flat)
     return Error{ErrorCode::bad_input,
                  "shows nothing opaque on its canvas to make parts of" +
                      (drawing.warnings.empty() ? "" : ": " + drawing.warnings.front()),

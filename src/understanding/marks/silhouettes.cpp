@@ -15,6 +15,7 @@ enum class MarkRole {
   shadow,      ///< cast on the floor
   motion,      ///< lines that stand apart from everything
   background,  ///< behind all
+  paint,       ///< changes the colours of what lies below, and is nothing by itself
 };
 
 /// Lengths are fractions of the diagonal of the drawing, shares fractions of the mark's area.
@@ -121,7 +122,8 @@ void merge_strands(SilhouetteList& list) {
 }
 
 bool is_left_out(MarkRole role) {
-  return role == MarkRole::shadow || role == MarkRole::motion || role == MarkRole::background;
+  return role == MarkRole::shadow || role == MarkRole::motion || role == MarkRole::background ||
+         role == MarkRole::paint;
 }
 
 std::string note_on(const Mark& mark, MarkRole role) {
@@ -142,7 +144,8 @@ std::string note_on(const Mark& mark, MarkRole role) {
 ///    inside fills, and not the twin of a fill;
 ///  - shade: translucent and mostly over earlier marks; or a crescent or stripe of the same hue
 ///    within them;
-///  - motion: ink that is nowhere near a fill.
+///  - motion: ink that is nowhere near a fill;
+///  - paint: what blends with what lies below it, but for ink.
 class RoleFinder {
  public:
   RoleFinder(const std::vector<Mark>& marks, const Box2& canvas) : marks_(marks), canvas_(canvas) {
@@ -153,10 +156,12 @@ class RoleFinder {
   std::vector<MarkRole> run() {
     find_background();
     for (size_t i = 0; i < marks_.size(); ++i)
-      if (is_shape(i)) whole_.add(boxes_[i]);
+      if (is_shape(i) && !marks_[i].blends) whole_.add(boxes_[i]);
     for (size_t i = 0; i < marks_.size(); ++i)
       if (is_shape(i) && is_shadow(i)) roles_[i] = MarkRole::shadow;
     find_ink();
+    for (size_t i = 0; i < marks_.size(); ++i)
+      if (is_shape(i) && marks_[i].blends) roles_[i] = MarkRole::paint;
     for (size_t i = 0; i < marks_.size(); ++i)
       if (is_shape(i) && is_shade(i)) roles_[i] = MarkRole::shade;
     find_motion();
@@ -177,7 +182,7 @@ class RoleFinder {
                         (box.max.y > canvas_.max.y - near_y ? 1 : 0);
       const bool rectangle = area(marks_[i].region) > 0.9 * width(box) * height(box);
       const int least = i + 1 < marks_.size() ? 3 : 4;
-      if (!marks_[i].filled || sides < least || !rectangle) return;
+      if (!marks_[i].filled || marks_[i].blends || sides < least || !rectangle) return;
       roles_[i] = MarkRole::background;
     }
   }
@@ -186,7 +191,7 @@ class RoleFinder {
   Region shapes(size_t from, size_t to, const Box2& near, size_t without) const {
     std::vector<Region> regions;
     for (size_t j = from; j < to; ++j)
-      if (j != without && is_shape(j) && boxes_meet(boxes_[j], near))
+      if (j != without && is_shape(j) && !marks_[j].blends && boxes_meet(boxes_[j], near))
         regions.push_back(marks_[j].region);
     return unite(regions);
   }
@@ -194,10 +199,10 @@ class RoleFinder {
   bool is_shadow(size_t i) const {
     const Mark& mark = marks_[i];
     const Box2& box = boxes_[i];
-    if (!mark.filled || width(box) < flat_shadow * height(box)) return false;
+    if (!mark.filled || mark.blends || width(box) < flat_shadow * height(box)) return false;
     Box2 others;
     for (size_t j = 0; j < marks_.size(); ++j)
-      if (j != i && is_shape(j)) others.add(boxes_[j]);
+      if (j != i && is_shape(j) && !marks_[j].blends) others.add(boxes_[j]);
     if (others.empty() || !boxes_meet(box, others)) return false;
     const double middle = (box.min.y + box.max.y) / 2;
     if (middle < others.max.y - floor_height * height(others)) return false;
@@ -228,7 +233,8 @@ class RoleFinder {
       if (is_shape(i) && is_dark_pen(i) && is_narrow(i)) pens.push_back(i);
     std::vector<Region> fills;
     for (size_t i = 0; i < marks_.size(); ++i)
-      if (is_shape(i) && marks_[i].filled && std::find(pens.begin(), pens.end(), i) == pens.end())
+      if (is_shape(i) && marks_[i].filled && !marks_[i].blends &&
+          std::find(pens.begin(), pens.end(), i) == pens.end())
         fills.push_back(marks_[i].region);
     if (pens.empty() || fills.empty()) return;
     const Region along = grow(unite(fills), pen_thickness * diagonal);
@@ -242,7 +248,7 @@ class RoleFinder {
   /// Returns whether the mark is the dark rim of one fill, with which it is one silhouette.
   bool has_twin(size_t i) const {
     for (size_t j = 0; j < marks_.size(); ++j)
-      if (j != i && is_shape(j) && marks_[j].filled &&
+      if (j != i && is_shape(j) && marks_[j].filled && !marks_[j].blends &&
           same_silhouette(marks_[i].region, marks_[j].region, whole_.diagonal()))
         return true;
     return false;
@@ -321,7 +327,7 @@ SilhouetteList group_silhouettes(std::vector<Mark> marks, const Box2& canvas) {
   std::vector<Region> ink;
   for (size_t i = 0; i < marks.size(); ++i) {
     if (is_left_out(roles[i])) {
-      list.notes.push_back(note_on(marks[i], roles[i]));
+      if (roles[i] != MarkRole::paint) list.notes.push_back(note_on(marks[i], roles[i]));
       continue;
     }
     all.push_back(marks[i].region);

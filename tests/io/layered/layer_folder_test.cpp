@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "io/image/png.h"
 #include "io/layered/layer_files.h"
 #include "io/layered/layer_support.h"
 #include "io/layered/read_layer_folder.h"
@@ -126,6 +127,7 @@ TEST(LayerTable, RefusesWhatItCannotRead) {
   EXPECT_NE(where("file\tx\na.png\tone").find("line 2: x"), std::string::npos);
   EXPECT_NE(where("file\topacity\na.png\t2").find("line 2: opacity"), std::string::npos);
   EXPECT_NE(where("file\tx\na.png\tnan").find("line 2: x"), std::string::npos);
+  EXPECT_NE(where("file\tblend\na.png\tsoft").find("line 2: blend"), std::string::npos);
   EXPECT_NE(where("file\tlean\na.png\t0.5").find("line 2: lean"), std::string::npos);
   EXPECT_NE(where("file\tlean\na.png\t0.5 3").find("line 2: lean"), std::string::npos);
   EXPECT_NE(where("file\tlean\na.png\t0.5 0 0").find("line 2: lean"), std::string::npos);
@@ -134,11 +136,13 @@ TEST(LayerTable, RefusesWhatItCannotRead) {
   EXPECT_NE(where("file\nC:\\a.png\n").find("line 2"), std::string::npos);
 }
 
-TEST(LayerTable, OnePartMakesTheOthersTexture) {
-  const auto rows =
-      read_layer_table("file\trole\tc\tlean\r\na.png\t\t\r\nb.png\tpart\t2\t0.5 -0.25\r\n");
+TEST(LayerTable, RowsSayRolesBlendingAndAmounts) {
+  const auto rows = read_layer_table(
+      "file\trole\tc\tlean\tblend\r\na.png\t\t\t\tscreen\r\nb.png\tpart\t2\t0.5 -0.25\r\n");
   ASSERT_TRUE(rows);
-  EXPECT_EQ((*rows)[0].layer.role, LayerRole::texture);
+  EXPECT_EQ((*rows)[0].layer.role, LayerRole::proposed);
+  EXPECT_EQ((*rows)[0].layer.blending.mode, BlendMode::screen);
+  EXPECT_TRUE((*rows)[1].layer.blending.is_plain());
   EXPECT_EQ((*rows)[1].layer.role, LayerRole::part);
   EXPECT_EQ((*rows)[1].layer.c, 2);
   EXPECT_FALSE((*rows)[0].layer.c);

@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/image/png.h"
-#include "io/layered/raster_layer.h"
+#include "io/layered/compose_layers.h"
 #include "kernel/geometry/polygon.h"
 #include "understanding/marks/make_parts.h"
 
@@ -41,6 +40,20 @@ inline RasterLayer layer(const std::string& name, Image8 rgba) {
   layer.name = name;
   layer.rgba = std::move(rgba);
   return layer;
+}
+
+/// The drawing of a stack whose layers have their pixels.
+inline Result<understanding::LayeredDrawing> composed(int width, int height,
+                                                      const LayerStack& stack) {
+  return compose_layers({width, height}, stack,
+                        [&](size_t k) -> Result<Image8> { return stack.layers[k].rgba; }, {});
+}
+
+/// The drawing of layers that lie on each other, back to front.
+inline understanding::LayeredDrawing drawing_of(int width, int height,
+                                                const std::vector<RasterLayer>& layers) {
+  auto drawing = composed(width, height, {{}, layers});
+  return drawing ? std::move(*drawing) : understanding::LayeredDrawing();
 }
 
 /// The names of the drawing's parts (see make_parts).

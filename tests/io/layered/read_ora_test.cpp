@@ -4,6 +4,7 @@
 
 #include "io/archive/archive.h"
 #include "io/archive/zip_archive.h"
+#include "io/image/png.h"
 #include "io/layered/layer_support.h"
 #include "io/support/damage.h"
 #include "io/support/test_archive.h"
@@ -54,14 +55,72 @@ TEST(ReadOra, HiddenAndFaintLayersAreNoParts) {
   EXPECT_EQ(parts("visibility='hidden'"), Names{"body"});
   EXPECT_EQ(parts("opacity='0.4'"), Names{"body"});
   EXPECT_EQ(parts("name='texture: decoration'"), Names{"body"});
-  EXPECT_EQ(parts("name='part: both'"), Names{"ear"});
+  EXPECT_EQ(parts("name='part: both'"), Names{"both"});
 }
 
-TEST(ReadOra, BlendingIsPaintedPlainlyAndSaidSo) {
-  const auto ora =
-      read(files_of("<layer name='body' src='data/body.png' composite-op='svg:multiply'/>"));
-  ASSERT_TRUE(ora);
-  EXPECT_EQ(ora->warnings.size(), 1u);
+TEST(ReadOra, UnknownBlendingIsPaintedPlainlyAndSaidSo) {
+  const auto warnings = [](const std::string& blending) {
+    const auto ora = read(files_of("<layer name='ear' src='data/ear.png' composite-op='" +
+                                   blending + "'/><layer name='body' src='data/body.png'/>"));
+    return ora.ok() ? ora->warnings : Names();
+  };
+  EXPECT_TRUE(warnings("svg:multiply").empty());
+  ASSERT_EQ(warnings("krita:behind").size(), 1u);
+  EXPECT_NE(warnings("krita:behind")[0].find("\"ear\""), std::string::npos);
+}
+
+TEST(ReadOra, AGroupKeepsItsBlendingToItselfUnlessItIsNotIsolated) {
+  const auto alpha = [](const std::string& attributes) {
+    const auto ora =
+        read(files_of("<stack " + attributes +
+                      "><layer src='data/ear.png' x='105' y='35' composite-op='svg:src-atop'/>"
+                      "</stack><layer name='body' src='data/body.png'/>"));
+    return ora.ok() ? ora->picture.rgba.at(150, 105, 2) : 0;
+  };
+  EXPECT_EQ(alpha(""), red[2]);  // atop of nothing
+  EXPECT_EQ(alpha("isolation='isolate'"), red[2]);
+  EXPECT_EQ(alpha("isolation='auto'"), blue[2]);
+  EXPECT_EQ(alpha("isolation='auto' opacity='0.5'"), red[2]);
+}
+
+TEST(ReadOra, TheMergedPictureIsTakenWhereLayersShowNothing) {
+  Files files = files_of(
+      "<layer name='body' src='data/body.png' opacity='0.2'/>"
+      "<layer name='ear' src='data/ear.png' opacity='0.1'/>");
+  const auto faint = read(files);
+  ASSERT_TRUE(faint);
+  EXPECT_FALSE(faint->flat);
+  files.emplace_back("mergedimage.png", png(disc(300, 300, {150, 180}, 90, red)));
+  const auto merged = read(files);
+  ASSERT_TRUE(merged);
+  EXPECT_TRUE(merged->flat);
+  EXPECT_EQ(merged->picture.rgba.at(150, 180, 3), 255);
+  ASSERT_EQ(merged->warnings.size(), 1u);
+  EXPECT_NE(merged->warnings[0].find("merged"), std::string::npos);
+}
+
+TEST(ReadOra, VectorLayersArePaintedOrNamed) {
+  Files files = files_of(
+      "<layer name='cap' src='data/cap.svg' x='105' y='35'/>"
+      "<layer name='body' src='data/body.png'/>");
+  files.emplace_back("data/cap.svg", "<svg/>");
+  const auto entries = unpack_archive(test_archive(files));
+  ASSERT_TRUE(entries);
+  auto painted = read_ora(*entries, {}, [](const Bytes& svg) -> Result<Image8> {
+    EXPECT_EQ(svg.size(), 6u);
+    return disc(90, 90, {45, 45}, 40, blue);
+  });
+  ASSERT_TRUE(painted) << to_string(painted.error());
+  EXPECT_EQ(part_names(*painted), (Names{"body", "cap"}));
+  auto named = read_ora(*entries);
+  ASSERT_TRUE(named);
+  EXPECT_EQ(named->warnings.size(), 1u);
+  files.emplace_back("mergedimage.png", png(disc(300, 300, {150, 180}, 90, red)));
+  const auto with_picture = unpack_archive(test_archive(files));
+  ASSERT_TRUE(with_picture);
+  named = read_ora(*with_picture);
+  ASSERT_TRUE(named);
+  EXPECT_TRUE(named->flat);
 }
 
 TEST(ReadOra, RefusesWhatItCannotUse) {

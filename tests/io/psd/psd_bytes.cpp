@@ -113,6 +113,11 @@ Bytes extra_of(const PsdLayerSpec& layer) {
     put(extra, "8BIMlfx2");
     put(extra, 0, 4);
   }
+  for (const auto& [key, block] : layer.blocks) {
+    put(extra, "8BIM" + key);
+    put_block(extra, block);
+    if (block.size() % 2 != 0) extra.push_back(0);
+  }
   return extra;
 }
 
@@ -141,7 +146,8 @@ Written written(const PsdLayerSpec& layer, const PsdSpec& spec) {
 /// Layers of 16 bits stand in a block of their own.
 Bytes layer_section(const PsdSpec& spec) {
   Bytes info;
-  put(info, spec.layers.size(), 2);
+  const int count = static_cast<int>(spec.layers.size());
+  put(info, static_cast<uint16_t>(spec.merged_alpha ? -count : count), 2);
   Bytes pixels;
   for (const PsdLayerSpec& layer : spec.layers) {
     const Written one = written(layer, spec);
@@ -169,7 +175,7 @@ Bytes psd_bytes(const PsdSpec& spec) {
   put(bytes, "8BPS");
   put(bytes, spec.version, 2);
   put(bytes, 0, 6);
-  put(bytes, 3, 2);
+  put(bytes, spec.merged_alpha ? 4 : 3, 2);
   put(bytes, spec.height, 4);
   put(bytes, spec.width, 4);
   put(bytes, spec.depth, 2);
@@ -179,7 +185,7 @@ Bytes psd_bytes(const PsdSpec& spec) {
   put_block(bytes, spec.layers.empty() ? Bytes() : layer_section(spec));
   const Image8 merged = spec.merged.empty() ? Image8(spec.width, spec.height, 4) : spec.merged;
   std::vector<Bytes> rows;
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < (spec.merged_alpha ? 4 : 3); ++k)
     for (Bytes& row : rows_of(merged, k, spec.depth)) rows.push_back(std::move(row));
   const Bytes picture = packed_rows(std::move(rows), spec);
   bytes.insert(bytes.end(), picture.begin(), picture.end());

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "relievo/bytes.h"
@@ -26,6 +27,7 @@ struct PsdLayerSpec {
   Image8 mask;          ///< at (x, y); empty: none
   uint8_t outside = 0;  ///< of the mask
   bool effects = false;
+  std::vector<std::pair<std::string, Bytes>> blocks = {};  ///< further ones, by their keys
 };
 
 struct PsdSpec {
@@ -37,6 +39,7 @@ struct PsdSpec {
   PsdPacking packing = PsdPacking::raw;
   std::vector<PsdLayerSpec> layers;  ///< back to front
   Image8 merged;                     ///< empty: black
+  bool merged_alpha = false;         ///< the merged picture has transparency, its colours on white
 };
 
 Bytes psd_bytes(const PsdSpec& spec);

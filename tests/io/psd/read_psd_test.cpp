@@ -112,13 +112,141 @@ TEST(ReadPsdLayers, MasksCutAndSayWhatLiesOutside) {
 
 TEST(ReadPsdLayers, WarnsOfWhatItPaintsOtherwise) {
   PsdSpec spec = two_squares();
-  spec.layers[0].blend = "mul ";
+  spec.layers[0].blend = "diss";
   spec.layers[1].effects = true;
   const auto psd = read_psd(psd_bytes(spec));
   ASSERT_TRUE(psd) << psd.error().message;
   ASSERT_EQ(psd->warnings.size(), 2U);
   EXPECT_NE(psd->warnings[0].find("\"body\""), std::string::npos);
   EXPECT_NE(psd->warnings[1].find("\"head\""), std::string::npos);
+}
+
+TEST(ReadPsdLayers, BlendsAsStated) {
+  PsdSpec spec = two_squares();
+  spec.layers[1].blend = "mul ";
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_EQ(psd->marks.size(), 2U);  // body, and ink that is no part
+  EXPECT_TRUE(psd->marks[1].blends);
+  EXPECT_EQ(pixel(psd->picture.rgba, 25, 25), (std::vector<uint8_t>{8, 3, 26, 255}));
+  EXPECT_TRUE(psd->warnings.empty());
+}
+
+PsdLayerSpec divider(const std::string& name, int kind) {
+  PsdLayerSpec spec;
+  spec.name = name;
+  spec.divider = kind;
+  return spec;
+}
+
+TEST(ReadPsdLayers, WhatIsClippedToAGroupIsCutToAllOfIt) {
+  PsdSpec spec = two_squares();
+  PsdLayerSpec shade = layer("shade", 0, 0, filled(40, 40, {0, 0, 0, 255}));
+  shade.clipped = true;
+  PsdLayerSpec group = divider("both", 1);
+  group.blend = "pass";
+  spec.layers = {layer("floor", 0, 30, filled(10, 10, red)),
+                 divider("", 3),
+                 spec.layers[0],
+                 spec.layers[1],
+                 group,
+                 shade};
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_EQ(psd->marks.size(), 3U);
+  EXPECT_EQ(pixel(psd->picture.rgba, 10, 10), (std::vector<uint8_t>{0, 0, 0, 255}));
+  EXPECT_EQ(pixel(psd->picture.rgba, 35, 35), (std::vector<uint8_t>{0, 0, 0, 255}));
+  EXPECT_EQ(pixel(psd->picture.rgba, 5, 35), red);
+  EXPECT_EQ(psd->picture.rgba.at(30, 5, 3), 0);
+  EXPECT_TRUE(psd->warnings.empty());
+}
+
+TEST(ReadPsdLayers, RigTagsLeaveOutAndMerge) {
+  PsdSpec spec = two_squares();
+  spec.layers = {layer("[ignore] guide", 0, 0, filled(40, 40, blue)),
+                 layer("body [slot]", 4, 4, filled(24, 24, red)),
+                 divider("", 3),
+                 layer("skull", 20, 20, filled(10, 10, blue)),
+                 layer("jaw", 20, 30, filled(10, 8, red)),
+                 divider("head [merge]", 1)};
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  ASSERT_EQ(psd->marks.size(), 2U);
+  EXPECT_EQ(psd->marks[0].name, "body");
+  EXPECT_EQ(psd->marks[1].name, "head");
+  EXPECT_EQ(psd->picture.rgba.at(2, 2, 3), 0);
+}
+
+TEST(ReadPsdLayers, LeavesTheLayersToTheMergedPictureWhereTheyGiveNothing) {
+  PsdSpec spec = two_squares();
+  spec.merged = filled(40, 40, {255, 255, 255, 255});
+  for (int y = 4; y < 28; ++y)
+    for (int x = 4; x < 28; ++x) spec.merged.at(x, y, 0) = 30;
+  spec.layers[0].blocks = spec.layers[1].blocks = {{"iOpa", {0, 0, 0, 0}}};
+  spec.layers[0].effects = spec.layers[1].effects = true;
+  auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_TRUE(psd->flat);
+  EXPECT_EQ(psd->picture.rgba.at(10, 10, 0), 30);
+  ASSERT_EQ(psd->warnings.size(), 1U);
+  EXPECT_NE(psd->warnings[0].find("merged"), std::string::npos);
+  spec.layers.resize(1);
+  spec.layers[0].rgba = Image8();
+  spec.layers[0].effects = false;
+  psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_TRUE(psd->flat);
+  EXPECT_EQ(psd->warnings.size(), 1U);
+}
+
+TEST(ReadPsdLayers, TakesTheMergedPictureOnlyWhereItLeavesSomethingOut) {
+  PsdSpec spec = two_squares();
+  spec.merged = filled(40, 40, {255, 255, 255, 255});
+  spec.merged.at(3, 3, 0) = 0;
+  auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_FALSE(psd->flat);
+  spec.layers[0].effects = true;
+  psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_TRUE(psd->flat);
+}
+
+TEST(ReadPsdLayers, TakesWhiteOutOfAMergedPictureWithTransparency) {
+  PsdSpec spec = two_squares();
+  spec.merged_alpha = true;
+  spec.merged = filled(40, 40, {255, 255, 255, 0});
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 40; ++x) {
+      spec.merged.at(x, y, 0) = 155;  // half of 55 on white
+      spec.merged.at(x, y, 3) = 128;
+    }
+  spec.layers[0].hidden = spec.layers[1].hidden = true;
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_NEAR(psd->picture.rgba.at(5, 5, 0), 55, 1);
+  EXPECT_EQ(psd->picture.rgba.at(5, 5, 3), 128);
+  EXPECT_EQ(psd->picture.rgba.at(5, 30, 3), 0);
+}
+
+TEST(ReadPsdLayers, AFillIsPaintedInItsMask) {
+  PsdSpec spec = two_squares();
+  PsdLayerSpec fill = layer("patch", 6, 6, Image8());
+  fill.mask = filled(8, 8, {255});
+  Bytes color;
+  for (const char* key : {"Rd  doub", "Grn doub", "Bl  doub"}) {
+    const Bytes text = bytes_of(key);
+    color.insert(color.end(), text.begin(), text.end());
+    const Bytes ninety = {0x40, 0x56, 0x80, 0, 0, 0, 0, 0};  // 90.0
+    color.insert(color.end(), ninety.begin(), ninety.end());
+  }
+  fill.blocks = {{"SoCo", color}};
+  spec.layers.push_back(fill);
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_EQ(pixel(psd->picture.rgba, 8, 8), (std::vector<uint8_t>{90, 90, 90, 255}));
+  EXPECT_EQ(pixel(psd->picture.rgba, 16, 16), red);
+  EXPECT_TRUE(psd->warnings.empty());
 }
 
 TEST(ReadPsdLayers, TakesTheFlattenedPictureWhereThereAreNone) {

@@ -151,7 +151,7 @@ export class FileControl {
 
   private async openLayers(name: string, entries: OutputFile[]): Promise<void> {
     const opened = await documentOfLayers(this.engine, baseName(name), entries);
-    if ('flat' in opened) return this.openImage(`${baseName(name)}.png`, opened.flat, 'image/png');
+    if ('flat' in opened) return this.openImage(`${baseName(name)}.png`, opened.flat, 'image/png', opened.warnings);
     await this.show(opened.document, 'all');
     this.editor.set({ notice: opened.notice });
   }
@@ -201,18 +201,18 @@ export class FileControl {
     return { ...next, drawing: { ...drawing, paintable: imported.paintable } };
   }
 
-  /** Opens a flat picture and guesses its parts. The canvas has the size of the picture. */
-  private async openImage(name: string, bytes: Uint8Array, mime: string): Promise<void> {
+  /** Opens a flat picture and guesses its parts. The canvas has the size of the picture. `warnings`: of its reader. */
+  private async openImage(name: string, bytes: Uint8Array, mime: string, warnings: readonly string[] = []): Promise<void> {
     const { drawing, picture } = await flatDrawing({ name, kind: 'image', mime, bytes });
     const { width, height } = picture;
     const next: Document = { ...emptyDocument(), name: baseName(name), width, height, drawing };
     this.editor.openDocument(startHistory(next), picture, { id: crypto.randomUUID(), keep: 'all' });
     this.editor.set({ tool: 'draw', notice: t('guessing') });
-    await this.guessParts(next);
+    await this.guessParts(next, warnings);
   }
 
   /** Lets the engine guess the parts of a flat drawing. If it cannot, the user is asked to scribble. */
-  private async guessParts(next: Document): Promise<void> {
+  private async guessParts(next: Document, warnings: readonly string[]): Promise<void> {
     const found = await this.controls.segments.guess(next);
     if (this.editor.document !== next) return;
     if (isFailure(found)) {
@@ -220,6 +220,6 @@ export class FileControl {
       return;
     }
     this.editor.edit('guess', adopt(next, found));
-    this.editor.set({ tool: 'scribble', notice: [t('guessed'), ...found.warnings].join(' ') });
+    this.editor.set({ tool: 'scribble', notice: [t('guessed'), ...warnings, ...found.warnings].join(' ') });
   }
 }

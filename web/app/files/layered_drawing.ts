@@ -24,16 +24,16 @@ export async function readLayers(files: readonly PlacedFile[]): Promise<OutputFi
 
 /**
  * Makes a document of painted layers, with a notice for the user. Its drawing is the picture that the
- * layers make together. If there is only one layer, only that picture is returned, as `flat`.
+ * layers make together. If the layers are no parts, only that picture is returned, as `flat`.
  */
 export async function documentOfLayers(
   engine: Engine,
   name: string,
   files: OutputFile[],
-): Promise<{ document: Document; notice: string } | { flat: Uint8Array<ArrayBuffer> }> {
+): Promise<{ document: Document; notice: string } | { flat: Uint8Array<ArrayBuffer>; warnings: readonly string[] }> {
   const imported = await engine.importLayers(files);
   if (isFailure(imported)) throw new Error(errorText(imported.error));
-  if (imported.scene === undefined) return { flat: imported.drawing };
+  if (imported.scene === undefined) return { flat: imported.drawing, warnings: imported.warnings };
   const words = imported.proposed ? [t('proposedParts')] : [];
   return {
     document: {

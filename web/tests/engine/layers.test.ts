@@ -135,6 +135,17 @@ describe('layers', () => {
     expect(wheres).toEqual(['file b.png', 'bad_input layers.tsv: line 2']);
   });
 
+  it('blend and clip as in the command line', () => {
+    const blended = stack.replace('<layer ', '<layer composite-op="svg:multiply" ');
+    const files = ora.map((file) => (file.name === 'stack.xml' ? { ...file, bytes: strToU8(blended) as Uint8Array<ArrayBuffer> } : file));
+    const file = join(folder, 'blended.ora');
+    writeFileSync(file, zipSync(Object.fromEntries(files.map(({ name, bytes }) => [name, bytes])), { level: 0 }));
+    const { drawing } = must(service.importLayers(files));
+    expect(Buffer.from(drawing).equals(Buffer.from(must(service.importLayers(ora)).drawing))).toBe(false);
+    relievo('check', file, '-q', '-o', join(folder, 'blended.json'));
+    expect(Buffer.from(drawing).equals(readFileSync(join(folder, 'blended.png')))).toBe(true);
+  });
+
   it('that are damaged, missing or too large are refused by name', () => {
     const damaged = ora.map((file) => (file.name === 'data/1.png' ? { ...file, bytes: file.bytes.slice(0, 90) } : file));
     const refused = [damaged, ora.slice(0, 3), ora.map((file) => ({ ...file, bytes: file.name === 'stack.xml' ? strToU8(stack.replace('w="320"', 'w="32000"').replace('h="240"', 'h="32000"')) : file.bytes }))];
