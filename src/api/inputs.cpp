@@ -32,22 +32,19 @@ namespace fs = std::filesystem;
 /// Longest side of a vector drawing's texture, px.
 constexpr double vector_texture_side = 2048;
 
-/// Longest side of a vector drawing without fills whose lines are searched for parts, px.
-constexpr double line_art_side = 1600;
+/// Longest side of the picture of a vector drawing in which parts are sought, px.
+constexpr double flat_picture_side = 1600;
 
-/// Finds the parts that the lines of a drawing without fills enclose, as `segment` does; nothing if
-/// there are none.
-std::optional<SceneInput> load_line_art(const InputFile& input,
-                                        const understanding::PaintableSvg& svg, bool connect,
-                                        const RunContext& context) {
-  auto drawing = rasterize(svg, line_art_side);
-  if (!drawing) return std::nullopt;
+/// Finds the parts in the picture of a vector drawing, as in a flat drawing. Adds a warning that
+/// gives the reason.
+Result<SceneInput> understand_painting(const InputFile& input,
+                                       const understanding::PaintableSvg& svg, const char* reason,
+                                       bool connect, const RunContext& context) {
+  auto drawing = rasterize(svg, flat_picture_side);
+  if (!drawing) return drawing.error();
   auto loaded = understand_flat(std::move(*drawing), input.name, connect, context);
-  if (!loaded || loaded->scene.parts.empty()) return std::nullopt;
-  loaded->warnings.emplace_back(
-      "nothing is filled: the parts are the areas that lines enclose; relievo segment can correct "
-      "them");
-  return std::move(*loaded);
+  if (loaded) loaded->warnings.emplace_back(reason);
+  return loaded;
 }
 
 /// Takes over the parts of a layered drawing, and connects them where that is wanted.
@@ -64,27 +61,24 @@ SceneInput with_layers(understanding::LayeredDrawing&& drawing, bool connect) {
   return loaded;
 }
 
-/// Finds the parts of a drawing that is one picture, as in a flat drawing.
-Result<SceneInput> load_picture_of(const InputFile& input, const understanding::PaintableSvg& svg,
-                                   bool connect, const RunContext& context) {
-  auto drawing = rasterize(svg, line_art_side);
-  if (!drawing) return drawing.error();
-  auto loaded = understand_flat(std::move(*drawing), input.name, connect, context);
-  if (!loaded) return loaded;
-  loaded->warnings.emplace_back(
-      "the drawing is a picture: its parts are found as in a flat drawing; relievo segment can "
-      "correct them");
-  return loaded;
-}
-
 Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunContext& context) {
   auto read = read_svg(text_of(input.bytes));
   if (!read) return read.error();
-  if (read->flat) return load_picture_of(input, read->paintable, connect, context);
+  if (read->flat)
+    return understand_painting(
+        input, read->paintable,
+        "the drawing is a picture: its parts are found as in a flat drawing; relievo segment can "
+        "correct them",
+        connect, context);
   if (Status status = understanding::make_parts(*read); !status) return status.error();
-  if (read->line_art)
-    if (auto lines = load_line_art(input, read->paintable, connect, context))
-      return std::move(*lines);
+  if (read->line_art) {
+    auto lines = understand_painting(
+        input, read->paintable,
+        "nothing is filled: the parts are the areas that lines enclose; relievo segment can "
+        "correct them",
+        connect, context);
+    if (lines && !lines->scene.parts.empty()) return lines;
+  }
   auto rendering = std::async(
       worker_count() > 1 ? std::launch::async : std::launch::deferred,
       [svg = std::move(read->paintable)] { return rasterize(svg, vector_texture_side); });
