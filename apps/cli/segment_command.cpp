@@ -27,6 +27,7 @@
 #include "io/scribbles/scribbles_json.h"
 #include "io/svg/read_svg.h"
 #include "kernel/base/stopwatch.h"
+#include "kernel/image/compose.h"
 #include "relievo/files.h"
 #include "understanding/labels/segment_drawing.h"
 #include "understanding/marks/make_parts.h"
@@ -156,12 +157,6 @@ Result<understanding::Scribbles> decode_scribbles(const Bytes& bytes, const Imag
   return scribbles_from_image(*picture, drawing.width, drawing.height);
 }
 
-bool is_transparent_somewhere(const Image8& rgba) {
-  for (size_t i = 3; i < rgba.pixels.size(); i += 4)
-    if (rgba.pixels[i] < 128) return true;
-  return false;
-}
-
 /// Makes the drawing transparent outside the mask `name`. The result replaces the drawing, so that
 /// everything which reads it later finds the same figure.
 Status cut_out(const std::string& name, SegmentInput& input) {
@@ -169,7 +164,7 @@ Status cut_out(const std::string& name, SegmentInput& input) {
   if (!mask) return mask.error();
   if (mask->width != input.pixels.width || mask->height != input.pixels.height)
     return wrong_size(input.pixels, name);
-  const bool by_alpha = is_transparent_somewhere(*mask);
+  const bool by_alpha = least_alpha(*mask) < 128;
   for (size_t i = 0; i < mask->pixels.size(); i += 4) {
     const uint8_t* p = &mask->pixels[i];
     const int value = by_alpha ? p[3] : std::max({p[0], p[1], p[2]});

@@ -17,12 +17,6 @@ constexpr double most_other = 0.02;
 /// Least difference of a channel by which colours differ, of 255.
 constexpr int other_color = 32;
 
-bool is_opaque(const Image8& rgba) {
-  for (size_t i = 3; i < rgba.pixels.size(); i += 4)
-    if (rgba.pixels[i] < 255) return false;
-  return true;
-}
-
 bool same_on_paper(const uint8_t* p, const uint8_t* q) {
   for (int k = 0; k < 3; ++k)
     if (std::abs(on_paper(p[k], p[3]) - on_paper(q[k], q[3])) > other_color) return false;
@@ -37,7 +31,7 @@ struct Difference {
 
 /// An opaque merged picture does not tell paper from paint: it is painted where it is not white.
 Difference difference_of(const Image8& layers, const Image8& merged) {
-  const bool opaque = is_opaque(merged);
+  const bool opaque = least_alpha(merged) == 255;
   const uint8_t white[4] = {255, 255, 255, 255};
   double painted = 0;
   Difference difference;
@@ -60,8 +54,7 @@ void take_alpha(Image8& opaque, const Image8& other) {
   for (size_t i = 0; i < opaque.pixels.size(); i += 4) {
     const double alpha = other.pixels[i + 3] / 255.0;
     for (size_t k = 0; k < 3 && alpha > 0; ++k)
-      opaque.pixels[i + k] = static_cast<uint8_t>(
-          std::lround(std::clamp((opaque.pixels[i + k] - 255 * (1 - alpha)) / alpha, 0.0, 255.0)));
+      opaque.pixels[i + k] = off_paper(opaque.pixels[i + k], alpha);
     opaque.pixels[i + 3] = other.pixels[i + 3];
   }
 }
@@ -90,7 +83,7 @@ bool compare_with_merged(understanding::LayeredDrawing& drawing, Image8 merged) 
     return true;
   }
   if (difference.other <= most_other) return false;
-  if (is_opaque(merged)) take_alpha(merged, drawing.picture.rgba);
+  if (least_alpha(merged) == 255) take_alpha(merged, drawing.picture.rgba);
   drawing.picture.rgba = std::move(merged);
   drawing.warnings.emplace_back(
       "the layers alone do not have the drawing's colours: these are taken from the merged picture "

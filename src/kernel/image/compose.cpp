@@ -49,6 +49,13 @@ void lay_picture_over(Image8& below, int left, int top, const Image8& above, dou
       lay_over(&below.at(left + x, top + y), &above.at(x, y), opacity);
 }
 
+uint8_t least_alpha(const Image8& rgba) {
+  uint8_t least = 255;
+  for (size_t i = 3; i < rgba.pixels.size(); i += 4)
+    least = rgba.pixels[i] < least ? rgba.pixels[i] : least;
+  return least;
+}
+
 bool is_light_on_nothing(const Image8& rgba) {
   int64_t opaque = 0;
   int64_t light = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,15 @@ void lay_picture_over(Image8& below, int left, int top, const Image8& above, dou
 
 /// Returns a value with opacity `alpha` (0 to 255) composited over white.
 inline uint8_t on_paper(int colour, int alpha) { return lay_over(colour, 255, alpha); }
+
+/// Returns the colour that, composited with opacity `alpha` in (0, 1] over white, gives `colour`.
+inline uint8_t off_paper(double colour, double alpha) {
+  return static_cast<uint8_t>(
+      std::lround(std::clamp((colour - 255 * (1 - alpha)) / alpha, 0.0, 255.0)));
+}
+
+/// Returns the least alpha of a picture (4 channels). O(pixels).
+uint8_t least_alpha(const Image8& rgba);
 
 /// Copies `picture` into `canvas`, its first pixel to (left, top). Precondition: it lies inside the
 /// canvas and has as many channels. O(pixels of the picture).

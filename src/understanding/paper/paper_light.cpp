@@ -49,11 +49,4 @@ Quadratic fit_light(const Image8& cells, const std::vector<Quadratic>& terms, in
   return A.ldlt().solve(b);
 }
 
-uint8_t least_alpha(const Image8& rgba) {
-  uint8_t least = 255;
-  for (size_t i = 3; i < rgba.pixels.size(); i += 4)
-    least = rgba.pixels[i] < least ? rgba.pixels[i] : least;
-  return least;
-}
-
 }  // namespace relievo::understanding

@@ -31,7 +31,4 @@ Image8 light_cells(const Image8& picture);
 Quadratic fit_light(const Image8& cells, const std::vector<Quadratic>& terms, int channel,
                     const std::vector<double>& weights);
 
-/// Returns the least alpha of a picture (4 channels). O(pixels).
-uint8_t least_alpha(const Image8& rgba);
-
 }  // namespace relievo::understanding

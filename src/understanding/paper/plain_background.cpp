@@ -11,6 +11,7 @@
 
 #include "kernel/image/blur.h"
 #include "kernel/image/components.h"
+#include "kernel/image/compose.h"
 #include "kernel/image/image_size.h"
 #include "kernel/image/mask.h"
 #include "kernel/image/morphology.h"
