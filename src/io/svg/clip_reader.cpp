@@ -28,14 +28,6 @@ SvgStyle style_in_place(const pugi::xml_node& element, const LengthContext& leng
   return computed_style(element, style_in_place(element.parent(), lengths), lengths);
 }
 
-/// Returns the element that `id` names, if it has this name.
-pugi::xml_node element_of(const SvgDocument& document, const std::string& id,
-                          std::string_view name) {
-  const auto found = document.ids.find(id);
-  const bool fits = found != document.ids.end() && local_name(found->second.name()) == name;
-  return fits ? found->second : pugi::xml_node();
-}
-
 void enter_clip(const pugi::xml_node& clip, InheritedState& around, Reading& reading) {
   if (std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox")
     return reading.warn("a clip path in units of the box of a text is ignored");
@@ -92,9 +84,9 @@ void add_clip(Region region, InheritedState& around, Reading& reading) {
 
 void enter_clips(InheritedState& around, Reading& reading) {
   const std::string mask_id = around.style.mask;
-  if (const auto clip = element_of(reading.document, around.style.clip_path, "clipPath"))
+  if (const auto clip = named_element(reading.document, around.style.clip_path, "clipPath"))
     enter_clip(clip, around, reading);
-  if (const auto mask = element_of(reading.document, mask_id, "mask"))
+  if (const auto mask = named_element(reading.document, mask_id, "mask"))
     enter_mask(mask, around, reading);
 }
 

@@ -79,10 +79,8 @@ constexpr int max_steps = 8;  ///< from a pattern to its picture
 std::optional<PatternPicture> pattern_picture(const SvgDocument& document,
                                               const std::string& server,
                                               const LengthContext& lengths) {
-  const auto found = document.ids.find(server);
-  if (found == document.ids.end() || local_name(found->second.name()) != "pattern")
-    return std::nullopt;
-  PatternPicture picture{found->second, only_element(found->second), {}};
+  const pugi::xml_node pattern = named_element(document, server, "pattern");
+  PatternPicture picture{pattern, only_element(pattern), {}};
   for (int i = 0; i < max_steps && picture.image; ++i) {
     const std::string_view name = local_name(picture.image.name());
     const auto transform = parse_transform(picture.image.attribute("transform").value());

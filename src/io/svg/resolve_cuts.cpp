@@ -77,11 +77,7 @@ void convert_mask_rectangle(pugi::xml_node mask, const Box2& box, const LengthCo
 
 /// Puts what is in the mask into a group that maps the unit square to the box.
 void convert_mask_content(pugi::xml_node mask, const Box2& box) {
-  const std::string_view name = mask.name();
-  const std::string prefix(name.substr(0, name.size() - local_name(name).size()));
-  pugi::xml_node group = mask.prepend_child((prefix + "g").c_str());
-  while (pugi::xml_node child = group.next_sibling()) group.append_move(child);
-  set_attribute(group, "transform", transform_text(map_to(box)));
+  set_attribute(wrap_children(mask), "transform", transform_text(map_to(box)));
   set_attribute(mask, "maskContentUnits", "userSpaceOnUse");
 }
 
@@ -95,7 +91,7 @@ class CutResolver {
       for (const char* property : {"clip-path", "mask"})
         if (is_of_object(cut_of(element, property))) cut_.push_back({element, property, lengths});
     });
-    // What cuts is copied with the cuts in it.
+    // A clip path or mask is copied together with those that it uses, which come first.
     std::stable_partition(cut_.begin(), cut_.end(),
                           [](const Cut& cut) { return is_inside_cut(cut.element); });
     for (const Cut& cut : cut_) {
@@ -117,11 +113,8 @@ class CutResolver {
 
   /// Returns the clip path or mask that the property names; none where there is no such.
   pugi::xml_node cut_of(const pugi::xml_node& element, const std::string& property) const {
-    const auto found = document_.ids.find(local_reference(stated_value(element, property)));
-    if (found == document_.ids.end()) return {};
-    const bool fits =
-        local_name(found->second.name()) == (property == "mask" ? "mask" : "clipPath");
-    return fits ? found->second : pugi::xml_node();
+    return named_element(document_, local_reference(stated_value(element, property)),
+                         property == "mask" ? "mask" : "clipPath");
   }
 
   static bool is_of_object(const pugi::xml_node& cut) {
@@ -134,7 +127,7 @@ class CutResolver {
     Box2 box = object_box(cut.element, cut.lengths, search_);
     if (box.empty() || has_text(cut.element)) return;
     if (local_name(cut.element.name()) == "use") {
-      // What cuts a <use> moves with it.
+      // A clip path or mask of a <use> moves with it.
       const Point2 moved = placement_of(cut.element, cut.lengths)({0, 0});
       box = {box.min - moved, box.max - moved};
     }

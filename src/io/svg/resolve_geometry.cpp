@@ -173,11 +173,7 @@ class GeometryResolver {
     const RootSize size = root_size(root).value_or(RootSize{});
     const Affine2 view = size.width > 0 ? enter_viewport(root, size, ignored) : Affine2();
     const std::optional<Affine2> map = map_of(stated, {{}, {16, size.width, size.height}});
-    const std::string_view name = root.name();
-    const std::string prefix(name.substr(0, name.size() - local_name(name).size()));
-    pugi::xml_node group = root.prepend_child((prefix + "g").c_str());
-    while (pugi::xml_node child = group.next_sibling()) group.append_move(child);
-    write(group, map ? std::optional(inverse(view) * *map * view) : map);
+    write(wrap_children(root), map ? std::optional(inverse(view) * *map * view) : map);
   }
 
   /// Returns the whole map; nothing where it cannot be read.

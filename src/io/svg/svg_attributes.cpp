@@ -60,6 +60,14 @@ void set_style(pugi::xml_node element, const std::vector<Declaration>& declarati
     set_attribute(element, "style", style_text(declarations));
 }
 
+pugi::xml_node wrap_children(pugi::xml_node element) {
+  const std::string_view name = element.name();
+  const std::string prefix(name.substr(0, name.size() - local_name(name).size()));
+  pugi::xml_node group = element.prepend_child((prefix + "g").c_str());
+  while (pugi::xml_node child = group.next_sibling()) group.append_move(child);
+  return group;
+}
+
 size_t rename_copy(pugi::xml_node copy, SvgDocument& document) {
   const size_t count = forget_ids(copy);
   const std::string id =

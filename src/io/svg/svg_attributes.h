@@ -21,6 +21,9 @@ void set_attribute(pugi::xml_node node, const char* name, const std::string& val
 /// Writes the style attribute; an empty one goes.
 void set_style(pugi::xml_node element, const std::vector<Declaration>& declarations);
 
+/// Moves all that is in an element into a new group in it, and returns the group.
+pugi::xml_node wrap_children(pugi::xml_node element);
+
 /// Gives a copy of an element a new id, and those in it none, since the first element of an id
 /// counts. Returns the number of elements.
 size_t rename_copy(pugi::xml_node copy, SvgDocument& document);

@@ -148,6 +148,13 @@ pugi::xml_node referenced_element(const SvgDocument& document, const pugi::xml_n
   return found == document.ids.end() ? pugi::xml_node() : found->second;
 }
 
+pugi::xml_node named_element(const SvgDocument& document, const std::string& id,
+                             std::string_view name) {
+  const auto found = document.ids.find(id);
+  const bool fits = found != document.ids.end() && local_name(found->second.name()) == name;
+  return fits ? found->second : pugi::xml_node();
+}
+
 SvgMark svg_mark(const pugi::xml_node& element) {
   const std::string_view mark = trimmed_svg(element.attribute("data-relievo").value());
   if (mark == "part") return SvgMark::part;

@@ -41,6 +41,10 @@ Result<std::unique_ptr<SvgDocument>> parse_svg_document(std::string_view bytes,
 /// Returns the element that href or xlink:href names, or an empty node.
 pugi::xml_node referenced_element(const SvgDocument& document, const pugi::xml_node& element);
 
+/// Returns the element of this id if it has this local name, or an empty node.
+pugi::xml_node named_element(const SvgDocument& document, const std::string& id,
+                             std::string_view name);
+
 /// Returns the element's mark; none for an unknown one.
 SvgMark svg_mark(const pugi::xml_node& element);
 
