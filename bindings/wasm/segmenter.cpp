@@ -71,7 +71,7 @@ struct Segmenter::Labelled {
 val Segmenter::open_png(const val& file) {
   const Bytes png = to_bytes(file);
   auto rgba = decode_png(png);
-  return rgba ? open(upright(*rgba, png_orientation(png))) : failure(rgba.error());
+  return rgba ? open(upright(std::move(*rgba), png_orientation(png))) : failure(rgba.error());
 }
 
 val Segmenter::open_pixels(const val& rgba, int width, int height) {

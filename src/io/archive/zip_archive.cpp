@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "io/image/decode_image.h"
+#include "io/image/jpeg_header.h"
 #include "io/image/png.h"
 #include "kernel/base/text_rules.h"
 

@@ -18,6 +18,7 @@
 #include "io/files/file_kind.h"
 #include "io/image/gif.h"
 #include "io/image/heif.h"
+#include "io/image/jpeg_header.h"
 #include "io/image/orientation.h"
 #include "io/image/png.h"
 #include "io/image/webp.h"
@@ -123,9 +124,9 @@ bool too_short(const JpegReader& reader, size_t byte_count) {
 
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
   if (is_png(bytes)) {
-    const int orientation = png_orientation(bytes);
     auto image = decode_png(bytes, limits);
-    return image && orientation != 1 ? upright(*image, orientation) : image;
+    if (!image) return image;
+    return upright(std::move(*image), png_orientation(bytes));
   }
   if (is_jpeg(bytes)) return decode_jpeg(bytes, limits);
   if (is_gif(bytes)) return decode_gif(bytes, limits);
@@ -133,10 +134,6 @@ Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
   if (is_heif(bytes)) return decode_heif(bytes, limits);
   if (is_nearly_png(bytes)) return decode_png(bytes, limits);  // which names the defect
   return refused_file(bytes);
-}
-
-bool is_jpeg(ByteView bytes) {
-  return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
 }
 
 Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits) {
@@ -152,7 +149,7 @@ Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits) {
                static_cast<int>(reader.jpeg.image_height), 4);
   if (!read_pixels(reader, image)) return damaged_image("JPEG", reader.message.data());
   if (is_cmyk(reader)) cmyk_to_rgba(image, reader.jpeg.saw_Adobe_marker == TRUE);
-  return orientation == 1 ? image : upright(image, orientation);
+  return upright(std::move(image), orientation);
 }
 
 }  // namespace relievo

@@ -12,9 +12,6 @@ namespace relievo {
 /// frame. Errors: `bad_input` where the file is damaged or none of them, `limit`.
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits = {});
 
-/// Returns whether `bytes` begin like a JPEG file.
-bool is_jpeg(ByteView bytes);
-
 /// Decodes a JPEG file (grey, colour or CMYK, baseline or progressive) to 8-bit sRGB with alpha
 /// 255, 4 channels, upright by its EXIF orientation. Colour profiles are ignored. Errors:
 /// `bad_input` where the file is damaged or cut short (the message has the reason), `limit`.

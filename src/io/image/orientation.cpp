@@ -44,7 +44,8 @@ int exif_orientation(ByteView exif) {
   return 1;
 }
 
-Image8 upright(const Image8& image, int orientation) {
+Image8 upright(Image8 image, int orientation) {
+  if (orientation == 1) return image;
   const bool transposed = orientation >= 5;
   const bool mirrored_x =
       orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;

@@ -10,6 +10,6 @@ namespace relievo {
 int exif_orientation(ByteView exif);
 
 /// Returns the image turned and mirrored to be upright, given its EXIF orientation.
-Image8 upright(const Image8& image, int orientation);
+Image8 upright(Image8 image, int orientation);
 
 }  // namespace relievo

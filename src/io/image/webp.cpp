@@ -56,7 +56,7 @@ Result<std::vector<Image8>> decode_some(ByteView bytes, size_t most, const Image
     if (WebPAnimDecoderGetNext(decoder.get(), &rgba, &time) == 0) return damaged_webp();
     Image8 frame(width, height, 4);
     std::memcpy(frame.pixels.data(), rgba, frame.pixels.size());
-    frames.push_back(orientation == 1 ? std::move(frame) : upright(frame, orientation));
+    frames.push_back(upright(std::move(frame), orientation));
   }
   if (frames.empty()) return damaged_webp();
   return frames;

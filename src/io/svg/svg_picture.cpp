@@ -4,9 +4,11 @@
 #include <string_view>
 #include <utility>
 
+#include "io/image/jpeg_header.h"
 #include "io/image/png.h"
 #include "io/layered/raster_layer.h"
 #include "io/svg/svg_values.h"
+#include "kernel/image/compose.h"
 
 namespace relievo {
 namespace {
@@ -50,33 +52,9 @@ std::string_view embedded_text(const pugi::xml_node& image) {
   return {};
 }
 
-bool begins_like_jpeg(ByteView bytes) {
-  return bytes.size() > 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
-}
-
-/// Returns the size in the first frame header of a JPEG file.
-Result<ImageSize> jpeg_size(ByteView bytes) {
-  const auto number = [&](size_t i) { return bytes[i] << 8 | bytes[i + 1]; };
-  for (size_t at = 2; at + 9 < bytes.size() && bytes[at] == 0xff;) {
-    const uint8_t marker = bytes[at + 1];
-    // Of C0 to CF, these three hold tables.
-    const bool is_frame =
-        (marker & 0xf0) == 0xc0 && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-    if (!is_frame) {
-      at += marker == 0xff ? 1 : 2 + static_cast<size_t>(number(at + 2));
-      continue;
-    }
-    const ImageSize size{number(at + 7), number(at + 5)};
-    if (Status status = check_image_size(size.width, size.height, embedded_limits); !status)
-      return status.error();
-    return size;
-  }
-  return damaged_image("JPEG", "it has no size");
-}
-
 Result<ImageSize> size_of(ByteView bytes) {
   if (is_png(bytes)) return png_size(bytes, embedded_limits);
-  if (begins_like_jpeg(bytes)) return jpeg_size(bytes);
+  if (is_jpeg(bytes)) return jpeg_size(bytes, embedded_limits);
   return Error{ErrorCode::bad_input, "embeds neither a PNG nor a JPEG picture", ""};
 }
 
@@ -105,8 +83,7 @@ Result<SvgPicture> embedded_picture(const pugi::xml_node& image) {
   layer.rgba = std::move(*pixels);
   SvgPicture picture = rectangle(*size);
   const auto mark = opaque_mark(layer);
-  for (size_t i = 3; i < layer.rgba.pixels.size() && !picture.has_holes; i += 4)
-    picture.has_holes = layer.rgba.pixels[i] < 128;
+  picture.has_holes = least_alpha(layer.rgba) < 128;
   if (picture.has_holes) picture.opaque = mark ? mark->region : Region();
   if (mark) {
     picture.color = mark->color;
