@@ -18,7 +18,7 @@ enum class Place {
   markup,  ///< likewise, and after comments and the XML declaration; in lower case
 };
 
-/// What tells a kind of file: bytes at a distance from a place, and words that must all occur
+/// The signs of a kind of file: bytes at a distance from a place, and words that must all occur
 /// somewhere in the file.
 struct Magic {
   Place place;
@@ -32,8 +32,13 @@ struct KnownKind {
   std::vector<Magic> magics;  ///< of which one must match
 };
 
-/// The first that matches counts.
+/// The first that matches counts. Relievo's own files and OpenRaster drawings come first, since the
+/// words of other kinds are sought in the whole file.
 const std::vector<KnownKind> known_kinds = {
+    {{InputKind::zip, "a project", ""}, {{Place::file, 30, "mimetypeapplication/vnd.relievo"}}},
+    {{InputKind::zip, "an OpenRaster drawing", ""},
+     {{Place::file, 30, "mimetypeimage/openraster"}}},
+    {{InputKind::json, "a scene file", ""}, {{Place::text, 0, "{", {"\"relievo-scene\""}}}},
     {{InputKind::foreign, "a PNG picture packed for an iPhone app (CgBI)",
       "unpack it, for example with: pngcrush -revert-iphone-optimizations"},
      {{Place::file, 12, "CgBI", {"\x89PNG"}}}},
@@ -170,32 +175,18 @@ const std::vector<KnownKind> known_kinds = {
     {{InputKind::json, "a JSON file", ""}, {{Place::text, 0, "{"}, {Place::text, 0, "["}}},
 };
 
-/// How much of a file must be letters for it to count as text, bytes.
+/// Number of bytes that must be letters for a file to count as text.
 constexpr size_t looked_at = 512;
+
+/// Length of the longest name of a first tag that is known, bytes.
+constexpr size_t longest_tag = 32;
 
 constexpr std::string_view white = " \t\r\n";
 
-std::string_view without_space(std::string_view text) {
-  return text.substr(std::min(text.size(), text.find_first_not_of(white)));
-}
-
 std::string_view text_in(std::string_view file) {
   if (file.substr(0, 3) == "\xef\xbb\xbf") file.remove_prefix(3);
-  return without_space(file);
-}
-
-/// Returns the text from the first tag or DOCTYPE on.
-std::string markup_in(std::string_view text) {
-  constexpr size_t longest_tag = 32;
-  const auto skip = [&](std::string_view start, std::string_view end) {
-    if (text.substr(0, start.size()) != start) return false;
-    const size_t last = text.find(end);
-    text = last == std::string_view::npos ? "" : without_space(text.substr(last + end.size()));
-    return true;
-  };
-  while (skip("<?", "?>") || skip("<!--", "-->")) {
-  }
-  return lower_case(text.substr(0, longest_tag));
+  file.remove_prefix(std::min(file.size(), file.find_first_not_of(white)));
+  return file;
 }
 
 bool is_text(std::string_view file) {
@@ -211,7 +202,7 @@ bool is_text(std::string_view file) {
 FileKind file_kind(ByteView bytes) {
   const std::string_view file{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   const std::string_view text = text_in(file);
-  const std::string markup = markup_in(text);
+  const std::string markup = lower_case(after_prolog(text).substr(0, longest_tag));
   const auto matches = [&](const Magic& magic) {
     const std::string_view from = magic.place == Place::file   ? file
                                   : magic.place == Place::text ? text

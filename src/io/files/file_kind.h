@@ -12,7 +12,7 @@ namespace relievo {
 /// and those that nothing is known about.
 enum class InputKind { svg, json, sprites, image, psd, zip, glb, foreign, text, unknown };
 
-/// What a file is by its content, whatever its name says.
+/// The kind of a file by its content, whatever its name says.
 struct FileKind {
   InputKind kind;
   std::string_view name;    ///< such as "a PDF document"

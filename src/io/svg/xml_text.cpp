@@ -80,19 +80,6 @@ bool is_ascii(std::string_view text) {
 
 constexpr std::string_view white = " \t\r\n";
 
-/// Takes leading white space, comments and processing instructions.
-void skip_between(std::string_view& text) {
-  const auto skip = [&](std::string_view start, std::string_view end) {
-    if (!text.starts_with(start)) return false;
-    const size_t found = text.find(end, start.size());
-    text.remove_prefix(found == std::string_view::npos ? text.size() : found + end.size());
-    return true;
-  };
-  do {
-    text.remove_prefix(std::min(text.find_first_not_of(white), text.size()));
-  } while (skip("<!--", "-->") || skip("<?", "?>"));
-}
-
 /// Returns the position of the first of `ends` outside quotes; the size where there is none.
 size_t find_unquoted(std::string_view text, std::string_view ends) {
   char quote = '\0';
@@ -171,15 +158,14 @@ struct DocumentType {
 };
 
 DocumentType document_type(std::string_view text) {
-  std::string_view rest = text;
-  skip_between(rest);
+  std::string_view rest = after_prolog(text);
   DocumentType type;
   type.begin = type.end = text.size() - rest.size();
   if (!rest.starts_with("<!DOCTYPE")) return type;
   rest.remove_prefix(find_unquoted(rest, "[>"));
   if (rest.starts_with("[")) {
     rest.remove_prefix(1);
-    for (skip_between(rest); !rest.empty() && rest[0] != ']'; skip_between(rest)) {
+    for (rest = after_prolog(rest); !rest.empty() && rest[0] != ']'; rest = after_prolog(rest)) {
       const size_t end = find_unquoted(rest, rest[0] == '%' ? ";" : ">");
       const std::string_view declaration = rest.substr(0, end);
       if (declaration.starts_with("<!ENTITY")) add_entity(declaration, type.entities);

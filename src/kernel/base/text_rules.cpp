@@ -1,5 +1,6 @@
 #include "kernel/base/text_rules.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -70,6 +71,19 @@ std::string lower_case(std::string_view text) {
   for (char& c : result)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return result;
+}
+
+std::string_view after_prolog(std::string_view xml) {
+  const auto skip = [&](std::string_view start, std::string_view end) {
+    if (!xml.starts_with(start)) return false;
+    const size_t found = xml.find(end, start.size());
+    xml.remove_prefix(found == std::string_view::npos ? xml.size() : found + end.size());
+    return true;
+  };
+  do {
+    xml.remove_prefix(std::min(xml.find_first_not_of(" \t\r\n"), xml.size()));
+  } while (skip("<!--", "-->") || skip("<?", "?>"));
+  return xml;
 }
 
 }  // namespace relievo

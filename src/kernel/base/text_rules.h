@@ -20,6 +20,10 @@ bool is_path_inside(std::string_view path);
 /// Returns `text` with the letters A to Z in lower case.
 std::string lower_case(std::string_view text);
 
+/// Returns an XML text from its first tag or document type on: without leading white space,
+/// comments and processing instructions.
+std::string_view after_prolog(std::string_view xml);
+
 /// Returns `stem`, or the first of stem-2, stem-3, ... that is not taken.
 template <class IsTaken>
 std::string free_name(const std::string& stem, const IsTaken& is_taken) {

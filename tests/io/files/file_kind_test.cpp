@@ -91,5 +91,13 @@ TEST(FileKind, EveryBeginningIsSomeKind) {
       EXPECT_FALSE(refusal(text.substr(from, size)).empty());
 }
 
+TEST(FileKind, PartsMayHaveTheNamesOfOtherProgramsWords) {
+  const std::string scene =
+      R"({"format": "relievo-scene", "parts": [{"id": "excalidraw"}, {"id": "bones"}]})";
+  EXPECT_EQ(sniff(bytes_of(scene)), InputKind::json);
+  const std::string project = "PK\3\4"s + std::string(26, '\0') + "mimetypeapplication/vnd.relievo";
+  EXPECT_TRUE(file_kind(bytes_of(project + "canvas.fig")).remedy.empty());
+}
+
 }  // namespace
 }  // namespace relievo
