@@ -8,6 +8,7 @@
 
 #include "kernel/image/blend.h"
 #include "kernel/image/compose.h"
+#include "kernel/image/pixel_box.h"
 
 namespace relievo {
 namespace {
@@ -16,20 +17,8 @@ using understanding::LayeredDrawing;
 
 constexpr int no_group = -1;
 
-/// Columns and rows of the canvas, px.
-struct PixelBox {
-  int left = 0;
-  int top = 0;
-  int right = 0;
-  int bottom = 0;
-};
-
 PixelBox box_of(const RasterLayer& layer) {
   return {layer.x, layer.y, layer.x + layer.rgba.width, layer.y + layer.rgba.height};
-}
-
-bool holds(const PixelBox& box, int x, int y) {
-  return x >= box.left && x < box.right && y >= box.top && y < box.bottom;
 }
 
 /// Makes the sheet as large as it and the box need together.
@@ -37,10 +26,9 @@ void extend(RasterLayer& sheet, const PixelBox& box) {
   const PixelBox own = sheet.rgba.empty() ? box : box_of(sheet);
   const PixelBox all = {std::min(own.left, box.left), std::min(own.top, box.top),
                         std::max(own.right, box.right), std::max(own.bottom, box.bottom)};
-  if (!sheet.rgba.empty() && all.right - all.left == sheet.rgba.width &&
-      all.bottom - all.top == sheet.rgba.height)
+  if (!sheet.rgba.empty() && all.width() == sheet.rgba.width && all.height() == sheet.rgba.height)
     return;
-  Image8 larger(all.right - all.left, all.bottom - all.top, 4);
+  Image8 larger(all.width(), all.height(), 4);
   if (!sheet.rgba.empty()) paste(larger, sheet.x - all.left, sheet.y - all.top, sheet.rgba);
   sheet.rgba = std::move(larger);
   sheet.x = all.left;
@@ -60,17 +48,17 @@ void lay(RasterLayer& sheet, const RasterLayer& layer) {
   const CoverMode cover = layer.blending.cover;
   if (may_add(cover) && !layer.rgba.empty()) extend(sheet, box_of(layer));
   if (sheet.rgba.empty()) return;
+  if (layer.blending.is_plain())
+    return lay_picture_over(sheet.rgba, layer.x - sheet.x, layer.y - sheet.y, layer.rgba,
+                            layer.opacity);
   const PixelBox whole = box_of(sheet);
   const PixelBox own = box_of(layer);
-  PixelBox box = whole;
-  if (!erases_beside(cover))
-    box = {std::max(whole.left, own.left), std::max(whole.top, own.top),
-           std::min(whole.right, own.right), std::min(whole.bottom, own.bottom)};
+  const PixelBox box = erases_beside(cover) ? whole : intersect(whole, own);
   const std::array<uint8_t, 4> nothing = {};
   for (int y = box.top; y < box.bottom; ++y)
     for (int x = box.left; x < box.right; ++x) {
       const uint8_t* above =
-          holds(own, x, y) ? &layer.rgba.at(x - layer.x, y - layer.y) : nothing.data();
+          own.contains(x, y) ? &layer.rgba.at(x - layer.x, y - layer.y) : nothing.data();
       blend_over(&sheet.rgba.at(x - sheet.x, y - sheet.y), above, layer.opacity, layer.blending);
     }
 }
@@ -85,7 +73,7 @@ void fade(RasterLayer& after, const RasterLayer& before, double opacity) {
       const int u = x + after.x;
       const int v = y + after.y;
       const uint8_t* from =
-          holds(old, u, v) ? &before.rgba.at(u - before.x, v - before.y) : nothing.data();
+          old.contains(u, v) ? &before.rgba.at(u - before.x, v - before.y) : nothing.data();
       const double p = (1 - opacity) * from[3];
       const double q = opacity * to[3];
       if (p + q <= 0) continue;
@@ -115,7 +103,7 @@ void settle_roles(LayerStack& stack) {
     if (group.role == LayerRole::proposed) group.role = LayerRole::texture;
 }
 
-/// How the layers of a group reach what lies below it.
+/// The ways in which the layers of a group are laid on what lies below it.
 enum class GroupWay {
   direct,    ///< one by one
   isolated,  ///< composed on a sheet of their own

@@ -22,8 +22,8 @@ std::string_view text_of(ByteView bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-PsdBox take_box(BigEndian& data) {
-  PsdBox box;
+PixelBox take_box(BigEndian& data) {
+  PixelBox box;
   box.top = data.i32();
   box.left = data.i32();
   box.bottom = data.i32();
@@ -31,7 +31,7 @@ PsdBox take_box(BigEndian& data) {
   return box;
 }
 
-Status check_box(const PsdBox& box, const ImageLimits& limits) {
+Status check_box(const PixelBox& box, const ImageLimits& limits) {
   constexpr int farthest = 1'000'000;
   for (const int side : {box.top, box.left, box.bottom, box.right})
     if (side < -farthest || side > farthest) return damaged();

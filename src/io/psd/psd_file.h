@@ -7,21 +7,11 @@
 #include <vector>
 
 #include "io/image/image_limits.h"
+#include "kernel/image/pixel_box.h"
 #include "relievo/bytes.h"
 #include "relievo/result.h"
 
 namespace relievo {
-
-/// A rectangle in canvas px, which may reach beyond the canvas.
-struct PsdBox {
-  int top = 0;
-  int left = 0;
-  int bottom = 0;
-  int right = 0;
-  int width() const { return right - left; }
-  int height() const { return bottom - top; }
-  bool empty() const { return right <= left || bottom <= top; }
-};
 
 /// One packed plane.
 struct PsdChannel {
@@ -31,7 +21,7 @@ struct PsdChannel {
 
 /// The mask that a layer's alpha is multiplied with.
 struct PsdMask {
-  PsdBox box;
+  PixelBox box;
   uint8_t outside = 0;  ///< its value outside the box
   bool disabled = false;
   bool rendered = false;  ///< from the vector mask
@@ -43,7 +33,7 @@ enum class PsdKind { layer, group, group_end };
 struct PsdLayer {
   std::string name;
   PsdKind kind = PsdKind::layer;
-  PsdBox box;
+  PixelBox box;
   std::vector<PsdChannel> channels;
   std::optional<PsdMask> mask;
   std::array<char, 4> blend = {'n', 'o', 'r', 'm'};

@@ -91,7 +91,7 @@ class MaskReader {
   void end_path() {
     if (knots_.size() > 1) {
       const Region path = unite(Region{flattened(knots_)}, Region());
-      // What is taken from nothing is taken from all.
+      // A first path that is subtracted is taken from the whole canvas.
       if (first_ && operation_ > 1) area_ = canvas_region(width_, height_);
       area_ = combined(area_, path, operation_);
       first_ = false;
@@ -171,7 +171,7 @@ std::optional<Region> vector_mask(ByteView block, int width, int height) {
   return (flags & 1) != 0 ? subtract(canvas_region(width, height), area) : area;
 }
 
-std::vector<uint8_t> coverage(const Region& region, const PsdBox& box) {
+std::vector<uint8_t> coverage(const Region& region, const PixelBox& box) {
   const std::vector<Side> sides = sides_of(region);
   std::vector<uint8_t> values;
   std::vector<const Side*> active;

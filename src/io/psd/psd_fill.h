@@ -20,6 +20,6 @@ std::optional<Region> vector_mask(ByteView block, int width, int height);
 
 /// Returns how much of each pixel of the box the region covers, 0 to 255, row by row. O(area of the
 /// box + crossings).
-std::vector<uint8_t> coverage(const Region& region, const PsdBox& box);
+std::vector<uint8_t> coverage(const Region& region, const PixelBox& box);
 
 }  // namespace relievo

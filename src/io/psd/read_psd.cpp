@@ -13,6 +13,7 @@
 #include "io/psd/psd_file.h"
 #include "io/psd/psd_fill.h"
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/compose.h"
 
 namespace relievo {
 namespace {
@@ -26,7 +27,7 @@ constexpr int no_group = -1;
 /// A visible layer.
 struct SeenLayer {
   const PsdLayer* record = nullptr;
-  PsdBox box;                                  ///< of its pixels, or of the fill in its masks
+  PixelBox box;                                ///< of its pixels, or of the fill in its masks
   std::optional<std::array<uint8_t, 3>> fill;  ///< its one colour, where it has no pixels
   std::optional<Region> vector;                ///< the area of its vector mask, if that cuts it
 };
@@ -60,19 +61,17 @@ std::vector<std::vector<size_t>> children_of(const PsdFile& file) {
 }
 
 /// Returns the box of a fill in its masks, on the canvas.
-PsdBox fill_box(const PsdLayer& record, const std::optional<Region>& vector, const PsdFile& file) {
-  PsdBox box = {0, 0, file.height, file.width};
-  const auto cut = [&box](const PsdBox& by) {
-    box = {std::max(box.top, by.top), std::max(box.left, by.left), std::min(box.bottom, by.bottom),
-           std::min(box.right, by.right)};
-  };
-  if (record.mask && !record.mask->disabled && record.mask->outside == 0) cut(record.mask->box);
+PixelBox fill_box(const PsdLayer& record, const std::optional<Region>& vector,
+                  const PsdFile& file) {
+  PixelBox box = {0, 0, file.width, file.height};
+  if (record.mask && !record.mask->disabled && record.mask->outside == 0)
+    box = intersect(box, record.mask->box);
   if (!vector) return box;
   const Box2 area = bounding_box(*vector);
   if (vector->empty()) return {};
-  cut({static_cast<int>(std::floor(area.min.y)), static_cast<int>(std::floor(area.min.x)),
-       static_cast<int>(std::ceil(area.max.y)), static_cast<int>(std::ceil(area.max.x))});
-  return box;
+  return intersect(
+      box, {static_cast<int>(std::floor(area.min.x)), static_cast<int>(std::floor(area.min.y)),
+            static_cast<int>(std::ceil(area.max.x)), static_cast<int>(std::ceil(area.max.y))});
 }
 
 /// Finds the groups and the visible layers, with a note on everything that is painted differently.
@@ -197,7 +196,7 @@ const PsdChannel* channel(const PsdLayer& record, int id) {
 
 /// Returns the plane of a channel over a box, or `value` everywhere for a missing one. It is empty
 /// for a box without pixels, whose sides may be negative.
-Result<std::vector<uint8_t>> plane(const PsdLayer& record, int id, const PsdBox& box, int depth,
+Result<std::vector<uint8_t>> plane(const PsdLayer& record, int id, const PixelBox& box, int depth,
                                    uint8_t value) {
   if (box.empty()) return std::vector<uint8_t>();
   const PsdChannel* packed = channel(record, id);
@@ -206,23 +205,22 @@ Result<std::vector<uint8_t>> plane(const PsdLayer& record, int id, const PsdBox&
 }
 
 /// Multiplies values over `box` with others over another box, which are `outside` beyond it.
-void multiply(const PsdBox& box, std::vector<uint8_t>& alpha, const PsdBox& other,
+void multiply(const PixelBox& box, std::vector<uint8_t>& alpha, const PixelBox& other,
               const std::vector<uint8_t>& values, uint8_t outside) {
   size_t at = 0;
   for (int y = box.top; y < box.bottom; ++y)
     for (int x = box.left; x < box.right; ++x, ++at) {
-      const bool inside = x >= other.left && x < other.right && y >= other.top && y < other.bottom;
       const size_t there = size_t(y - other.top) * other.width() + (x - other.left);
-      const int value = inside ? values[there] : outside;
+      const int value = other.contains(x, y) ? values[there] : outside;
       alpha[at] = static_cast<uint8_t>((alpha[at] * value + 127) / 255);
     }
 }
 
 /// Applies the mask of `masked`, a layer or a group, to values over `box`.
-Status apply_mask(const PsdLayer& masked, int depth, const PsdBox& box,
+Status apply_mask(const PsdLayer& masked, int depth, const PixelBox& box,
                   std::vector<uint8_t>& alpha) {
   if (!masked.mask || masked.mask->disabled) return Done{};
-  const PsdBox& other = masked.mask->box;
+  const PixelBox& other = masked.mask->box;
   if (other.empty()) {
     multiply(box, alpha, other, {}, masked.mask->outside);
     return Done{};
@@ -237,7 +235,7 @@ Status apply_mask(const PsdLayer& masked, int depth, const PsdBox& box,
 /// Returns the alpha of a layer, times all masks of it and its groups.
 Result<std::vector<uint8_t>> seen_alpha(const SeenLayer& seen, int group, const Structure& found,
                                         int depth) {
-  const PsdBox& box = seen.box;
+  const PixelBox& box = seen.box;
   auto alpha = seen.fill ? std::vector<uint8_t>(size_t(box.width()) * box.height(), 255)
                          : plane(*seen.record, alpha_channel, box, depth, 255);
   if (!alpha) return alpha.error();
@@ -251,7 +249,7 @@ Result<std::vector<uint8_t>> seen_alpha(const SeenLayer& seen, int group, const 
 
 Result<Image8> pixels_of(size_t number, const Structure& found, const PsdFile& file) {
   const SeenLayer& seen = found.layers[number];
-  const PsdBox& box = seen.box;
+  const PixelBox& box = seen.box;
   Image8 rgba(box.width(), box.height(), 4);
   const auto channel_of = [&](int k) -> Result<std::vector<uint8_t>> {
     if (k == 3) return seen_alpha(seen, found.stack.layers[number].group, found, file.depth);
@@ -287,8 +285,7 @@ Result<Image8> merged_picture(const PsdFile& file) {
     const double alpha = file.merged_alpha ? (*planes)[file.colors][i] / 255.0 : 1;
     for (int k = 0; k < 3; ++k) {
       const double on_white = (*planes)[std::min(k, file.colors - 1)][i];
-      const double own = alpha > 0 ? (on_white - 255 * (1 - alpha)) / alpha : 0;
-      rgba.pixels[4 * i + k] = static_cast<uint8_t>(std::lround(std::clamp(own, 0.0, 255.0)));
+      rgba.pixels[4 * i + k] = alpha > 0 ? off_paper(on_white, alpha) : uint8_t{0};
     }
     rgba.pixels[4 * i + 3] = static_cast<uint8_t>(std::lround(255 * alpha));
   }

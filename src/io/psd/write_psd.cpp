@@ -61,7 +61,7 @@ void pack_row(const std::vector<uint8_t>& row, Bytes& packed) {
 
 /// Packs the rows of a channel inside a box: appends their packed lengths to `lengths` and the
 /// packed rows to `rows`.
-void pack(const Image8& rgba, int channel, const PsdBox& box, Bytes& lengths, Bytes& rows) {
+void pack(const Image8& rgba, int channel, const PixelBox& box, Bytes& lengths, Bytes& rows) {
   std::vector<uint8_t> row(static_cast<size_t>(box.width()));
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) row[x - box.left] = rgba.at(x, y, channel);
@@ -71,15 +71,15 @@ void pack(const Image8& rgba, int channel, const PsdBox& box, Bytes& lengths, By
   }
 }
 
-PsdBox opaque_box(const Image8& rgba) {
-  PsdBox box{rgba.height, rgba.width, 0, 0};
+PixelBox opaque_box(const Image8& rgba) {
+  PixelBox box{rgba.width, rgba.height, 0, 0};
   for (int y = 0; y < rgba.height; ++y)
     for (int x = 0; x < rgba.width; ++x) {
       if (rgba.at(x, y, 3) == 0) continue;
-      box = {std::min(box.top, y), std::min(box.left, x), std::max(box.bottom, y + 1),
-             std::max(box.right, x + 1)};
+      box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1),
+             std::max(box.bottom, y + 1)};
     }
-  return box.empty() ? PsdBox{} : box;
+  return box.empty() ? PixelBox{} : box;
 }
 
 /// Returns UTF-8 as counted UTF-16, without invalid bytes.
@@ -118,7 +118,7 @@ Bytes extra_of(const std::string& name) {
 constexpr std::array<int, 4> channels = {-1, 0, 1, 2};  // as in PsdChannel
 
 void put_layer(const PsdPicture& layer, Bytes& records, Bytes& pixels) {
-  const PsdBox box = opaque_box(*layer.rgba);
+  const PixelBox box = opaque_box(*layer.rgba);
   for (const int side :
        {layer.top + box.top, layer.left + box.left, layer.top + box.bottom, layer.left + box.right})
     put32(records, static_cast<size_t>(side));
@@ -162,7 +162,7 @@ void put_merged(const std::vector<PsdPicture>& layers, int width, int height, By
   Bytes lengths;
   Bytes rows;
   for (const int channel : {0, 1, 2, 3})
-    pack(merged, channel, {0, 0, height, width}, lengths, rows);
+    pack(merged, channel, {0, 0, width, height}, lengths, rows);
   put16(bytes, 1);
   append(bytes, lengths);
   append(bytes, rows);

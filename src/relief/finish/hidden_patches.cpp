@@ -10,6 +10,7 @@
 #include "kernel/image/compose.h"
 #include "kernel/image/diffusion.h"
 #include "kernel/image/morphology.h"
+#include "kernel/image/pixel_box.h"
 #include "relief/finish/fill_triangle.h"
 
 namespace relievo::relief {
@@ -18,16 +19,6 @@ namespace {
 constexpr int longest_side = 512;  ///< px of the shrunk drawing
 constexpr int ink_band = 4;        ///< px of it beside a part's outline that may be inked
 constexpr int patch_margin = 2;    ///< px of it around hidden triangles, for filtering
-
-/// Pixels from (x0, y0) to before (x1, y1).
-struct PixelBox {
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-
-  ImageSize size() const { return {x1 - x0, y1 - y0}; }
-};
 
 Image8 shrunk(const Image8& rgba) {
   const int longest = std::max(rgba.width, rgba.height);
@@ -52,10 +43,10 @@ PixelBox box_around(const Model& model, int begin, int end, ImageSize size) {
 /// some of them are, and `ink_band` at most. The drawing's edge is an outline too. With a margin of
 /// a pixel around the box; empty if none of the part is seen.
 Image8 inner_pixels(const Image16& front, const PixelBox& box, uint16_t part) {
-  Image8 own(box.size().width + 2, box.size().height + 2, 1);
-  for (int y = box.y0; y < box.y1; ++y)
-    for (int x = box.x0; x < box.x1; ++x)
-      own.at(x - box.x0 + 1, y - box.y0 + 1) = front.at(x, y) == part ? 1 : 0;
+  Image8 own(box.width() + 2, box.height() + 2, 1);
+  for (int y = box.top; y < box.bottom; ++y)
+    for (int x = box.left; x < box.right; ++x)
+      own.at(x - box.left + 1, y - box.top + 1) = front.at(x, y) == part ? 1 : 0;
   for (int far = ink_band; far >= 0; --far) {
     Image8 inner = min_filter(own, far);
     if (std::find(inner.pixels.begin(), inner.pixels.end(), 1) != inner.pixels.end()) return inner;
@@ -68,11 +59,11 @@ std::optional<ImageF> seen_of(const Image16& front, const Image8& drawing, const
                               uint16_t part) {
   const Image8 inner = inner_pixels(front, box, part);
   if (inner.empty()) return std::nullopt;
-  ImageF seen(box.size().width, box.size().height, 4);
+  ImageF seen(box.width(), box.height(), 4);
   for (int y = 0; y < seen.height; ++y)
     for (int x = 0; x < seen.width; ++x) {
       if (inner.at(x + 1, y + 1) == 0) continue;
-      const uint8_t* rgba = &drawing.at(box.x0 + x, box.y0 + y);
+      const uint8_t* rgba = &drawing.at(box.left + x, box.top + y);
       for (int c = 0; c < 3; ++c) seen.at(x, y, c) = on_paper(rgba[c], rgba[3]);
       seen.at(x, y, 3) = 1;
     }
@@ -80,13 +71,14 @@ std::optional<ImageF> seen_of(const Image16& front, const Image8& drawing, const
 }
 
 HiddenPatch cut_patch(const ImageF& filled, const PixelBox& whole, const PixelBox& hidden) {
-  const auto [width, height] = hidden.size();
-  HiddenPatch patch{0, hidden.x0, hidden.y0, Image8(width, height, 3)};
+  const int width = hidden.width();
+  const int height = hidden.height();
+  HiddenPatch patch{0, hidden.left, hidden.top, Image8(width, height, 3)};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < 3; ++c)
         patch.rgb.at(x, y, c) = static_cast<uint8_t>(
-            std::lround(filled.at(hidden.x0 - whole.x0 + x, hidden.y0 - whole.y0 + y, c)));
+            std::lround(filled.at(hidden.left - whole.left + x, hidden.top - whole.top + y, c)));
   return patch;
 }
 

@@ -87,7 +87,7 @@ TEST(VectorMask, PathsThatBeginByTakingAwayLeaveTheRest) {
 
 TEST(VectorMask, CoverageIsThatOfThePixels) {
   const Region region = {{{1.25, 1}, {4.5, 1}, {4.5, 3.5}, {1.25, 3.5}}};
-  const std::vector<uint8_t> values = coverage(region, {0, 1, 5, 6});
+  const std::vector<uint8_t> values = coverage(region, {1, 0, 6, 5});
   EXPECT_EQ(values[0], 0);
   EXPECT_NEAR(values[5], 0.75 * 255, 1);
   EXPECT_EQ(values[6], 255);

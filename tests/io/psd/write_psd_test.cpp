@@ -66,7 +66,7 @@ TEST(WritePsd, LaysALayerWhereItBelongs) {
   ASSERT_TRUE(bytes);
   const auto file = read_psd_file(*bytes, {});
   ASSERT_TRUE(file) << file.error().message;
-  const PsdBox& box = file->layers[0].box;
+  const PixelBox& box = file->layers[0].box;
   EXPECT_EQ(box.left, 7);
   EXPECT_EQ(box.right, 8);
   EXPECT_EQ(box.top, 4);
