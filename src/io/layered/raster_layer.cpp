@@ -106,25 +106,21 @@ std::optional<understanding::Mark> opaque_mark(const RasterLayer& layer) {
   mark.region = opaque_region(layer);
   if (mark.region.empty()) return std::nullopt;
   set_color(layer, mark);
+  mark.name = layer.name;
+  mark.group = layer.group;
   return mark;
 }
 
 void add_layer(understanding::LayeredDrawing& drawing, const RasterLayer& layer) {
-  std::optional<understanding::Mark> found = opaque_mark(layer);
-  if (!found) {
+  std::optional<understanding::Mark> mark = opaque_mark(layer);
+  if (!mark) {
     drawing.warnings.push_back((layer.name.empty() ? "a layer" : "layer " + layer.name) +
                                " is less than half opaque everywhere and becomes no part");
     return;
   }
-  understanding::Mark& mark = *found;
-  if (layer.role == LayerRole::part) {
-    drawing.scene.parts.push_back(part_of(layer, std::move(mark.region)));
-    drawing.colors.push_back({{mark.color.r, mark.color.g, mark.color.b}});
-    return;
-  }
-  mark.name = layer.name;
-  mark.group = layer.group;
-  drawing.marks.push_back(std::move(mark));
+  if (layer.role != LayerRole::part) return drawing.marks.push_back(std::move(*mark));
+  drawing.scene.parts.push_back(part_of(layer, std::move(mark->region)));
+  drawing.colors.push_back({{mark->color.r, mark->color.g, mark->color.b}});
 }
 
 void add_ink(understanding::LayeredDrawing& drawing, RasterLayer layer) {
@@ -135,8 +131,6 @@ void add_ink(understanding::LayeredDrawing& drawing, RasterLayer layer) {
   }
   std::optional<understanding::Mark> mark = opaque_mark(layer);
   if (!mark) return;
-  mark->name = layer.name;
-  mark->group = layer.group;
   mark->blends = true;
   drawing.marks.push_back(std::move(*mark));
 }
