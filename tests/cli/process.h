@@ -8,7 +8,7 @@
 
 namespace relievo {
 
-/// How a run of the program ended.
+/// The end of a run of the program.
 struct Outcome {
   int exit_code = -1;  ///< 128 + the signal where one killed it
   std::string out;     ///< what it wrote on standard output

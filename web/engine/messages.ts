@@ -137,7 +137,7 @@ export interface SvgImport {
   warnings: string[];
 }
 
-/** What a file is that Relievo does not read, and what to do with it. In English. */
+/** Returns the kind of a file that Relievo does not read, and the remedy. In English. */
 export interface UnreadFile {
   readonly name: string;
   readonly remedy: string;

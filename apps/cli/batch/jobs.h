@@ -15,7 +15,7 @@ struct BatchJob {
   int vertices = 0;    ///< approximate number
 };
 
-/// What a batch has to build.
+/// The jobs of a batch, and the files that it passes over.
 struct BatchWork {
   std::vector<BatchJob> jobs;                      ///< sorted by name
   std::vector<std::filesystem::path> passed_over;  ///< files in folders that are no drawings

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How much of a file is read to find out what it is, bytes.
+/// Number of bytes that are read to find out what a file is.
 constexpr size_t looked_at = size_t{1} << 20;
 
 /// Number of files of a kind that are named.

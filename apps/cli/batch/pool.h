@@ -9,7 +9,7 @@
 
 namespace relievo::cli {
 
-/// How a run of the program ended.
+/// The end of a run of the program.
 struct TaskOutcome {
   int code = 0;          ///< exit code, or 128 + the signal that ended it
   std::string messages;  ///< its standard error

@@ -10,7 +10,7 @@
 
 namespace relievo {
 
-/// What the name of a layer or a group says.
+/// The statements in the name of a layer or a group.
 struct LayerName {
   std::string plain;  ///< without prefix and tags; empty where that is no valid id of a part
   LayerRole role = LayerRole::proposed;

@@ -30,7 +30,7 @@ struct CompoundSelector {
   std::vector<SiblingPlace> places;
   std::vector<CompoundSelector> excluded;  ///< by :not
   bool root = false;                       ///< only the outermost element
-  /// How the previous selector relates to it: ' ' an ancestor, '>' the parent, '+' the sibling
+  /// Relation of the previous selector to it: ' ' an ancestor, '>' the parent, '+' the sibling
   /// before it, '~' any sibling before it.
   char combinator = ' ';
 };

@@ -76,7 +76,7 @@ bool enter(const pugi::xml_node& element, InheritedState& around, Reading& readi
   around.opacity *= around.style.opacity;
   const auto transform = parse_transform(element.attribute("transform").value());
   if (transform) around.to_canvas = around.to_canvas * *transform;
-  // What cuts a <use> moves with it.
+  // A clip path or mask of a <use> moves with it.
   if (local_name(element.name()) == "use")
     around.to_canvas = around.to_canvas * placement_of(element, around.lengths);
   enter_clips(around, reading);

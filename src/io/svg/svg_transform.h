@@ -9,7 +9,7 @@
 
 namespace relievo {
 
-/// What the lengths and percentages of a transform refer to.
+/// The box to which the lengths and percentages of a transform refer.
 struct TransformBox {
   Point2 corner;          ///< of the reference box, user units
   LengthContext lengths;  ///< its viewport is the reference box

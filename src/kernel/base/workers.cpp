@@ -26,7 +26,7 @@ std::atomic<int> chosen_count{0};
 
 #ifdef RELIEVO_THREADS
 
-/// How long an idle thread spins before it sleeps.
+/// Time for which an idle thread spins before it sleeps.
 constexpr std::chrono::microseconds patience{100};
 
 /// The state of one call of ThreadPool::run().

@@ -5,7 +5,7 @@
 
 namespace relievo {
 
-/// How the colours of a layer change those below it, as "Compositing and Blending" of the W3C
+/// Changes of the colours below a layer by its own, as "Compositing and Blending" of the W3C
 /// defines it, and some further modes of painting programs.
 enum class BlendMode {
   normal,
@@ -33,7 +33,7 @@ enum class BlendMode {
   luminosity,
 };
 
-/// What of a layer and of what lies below it is kept, as Porter and Duff define it.
+/// The parts of a layer and of its backdrop that are kept, as Porter and Duff define them.
 enum class CoverMode {
   over,        ///< both
   atop,        ///< what lies below, with the layer on it
@@ -43,7 +43,7 @@ enum class CoverMode {
   below_atop,  ///< what lies below the layer, and the rest of the layer
 };
 
-/// How a layer is laid on what lies below it.
+/// The way in which a layer is laid on what lies below it.
 struct Blending {
   BlendMode mode = BlendMode::normal;
   CoverMode cover = CoverMode::over;

@@ -97,7 +97,7 @@ bool is_shaped(const PartRegions& regions, int part, int other) {
 /// Distance that hidden regions keep from where their occluders end, px.
 constexpr int rim_margin = 2;
 
-/// Whether the test holds in the square of `radius` around a pixel.
+/// Returns whether the test holds in the square of `radius` around a pixel.
 template <class Test>
 bool all_around(int x, int y, int radius, Test test) {
   for (int dy = -radius; dy <= radius; ++dy)
@@ -115,8 +115,8 @@ Mask common(const Mask& a, const Mask& b) {
   return both;
 }
 
-/// Whether the completion below the parts in front restricts the other one: a membrane, which fits
-/// anything, does not restrict an ellipse or a continuation.
+/// Returns whether the completion below the parts in front restricts the other one: a membrane,
+/// which fits anything, does not restrict an ellipse or a continuation.
 bool limits(const CompletedPart& below_front, const CompletedPart& completed) {
   return below_front.kind != CompletionKind::membrane || completed.kind == CompletionKind::membrane;
 }

@@ -20,7 +20,7 @@ struct Reference {
   std::vector<std::array<double, 4>> pixels{size_t{width} * height, {0, 0, 0, 0}};
 };
 
-/// What multiply and screen show where nothing is below: no white paper and no black one.
+/// Computes the colour that multiply and screen show over nothing: no white or black paper.
 std::array<double, 4> beside(BlendMode mode, const std::array<double, 3>& c, double alpha) {
   if (mode == BlendMode::multiply) {
     const double paper = std::min({c[0], c[1], c[2]});

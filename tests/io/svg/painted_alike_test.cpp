@@ -1,4 +1,4 @@
-/// What is read and what is painted are one thing: the marks of generated drawings against their
+/// Parts and painting agree: compares the marks of generated drawings with their
 /// painting.
 
 #include <gtest/gtest.h>
@@ -88,7 +88,7 @@ const std::vector<std::string> contents = {
     "<polygon points='120,100 280,130 220,250 110,230' stroke='#123' stroke-width='14' @/>",
 };
 
-/// What is said of transforms, as declarations of CSS.
+/// Transforms as declarations of CSS.
 const std::vector<std::string> transforms = {
     "",
     "transform:translate(20px,5%) rotate(15deg)",
@@ -121,7 +121,7 @@ const std::vector<std::pair<std::string, std::string>> cuts = {
      "mask='url(#k)'"},
 };
 
-/// How declarations reach an element: by its style or by a sheet.
+/// The ways in which declarations reach an element: by its style or by a sheet.
 std::string said(const std::string& css, bool by_sheet, std::string& head) {
   if (css.empty()) return "";
   if (!by_sheet) return "style='" + css + "'";
