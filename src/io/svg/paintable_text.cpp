@@ -1,6 +1,5 @@
 #include "io/svg/paintable_text.h"
 
-#include <sstream>
 #include <string_view>
 
 #include "io/svg/svg_attributes.h"
@@ -67,15 +66,23 @@ void fix_size(pugi::xml_node root, double px_width, double px_height) {
   }
 }
 
+struct TextWriter : pugi::xml_writer {
+  std::string written;
+
+  void write(const void* data, size_t size) override {
+    written.append(static_cast<const char*>(data), size);
+  }
+};
+
 }  // namespace
 
 std::string paintable_text(pugi::xml_node root, double px_width, double px_height) {
   remove_harmful(root);
   state_namespaces(root);
   fix_size(root, px_width, px_height);
-  std::ostringstream text;
+  TextWriter text;
   root.print(text, "", pugi::format_raw);
-  return text.str();
+  return text.written;
 }
 
 }  // namespace relievo

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -118,11 +117,14 @@ std::optional<Color> hex_color(std::string_view digits) {
 }
 
 /// Returns the colour of a keyword in lower case; nothing for any other text.
-std::optional<Color> keyword_color(const std::string& name) {
-  static const std::map<std::string, std::string> digits = [] {
-    std::map<std::string, std::string> map;
-    std::istringstream words(color_keywords);
-    for (std::string word, code; words >> word >> code;) map.emplace(word, code);
+std::optional<Color> keyword_color(std::string_view name) {
+  static const std::map<std::string_view, std::string_view> digits = [] {
+    std::map<std::string_view, std::string_view> map;
+    for (std::string_view rest = color_keywords; !rest.empty();) {
+      const size_t gap = rest.find(' ');
+      map.emplace(rest.substr(0, gap), rest.substr(gap + 1, 6));
+      rest.remove_prefix(std::min(rest.size(), gap + 8));
+    }
     return map;
   }();
   const auto found = digits.find(name);
