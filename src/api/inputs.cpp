@@ -138,9 +138,9 @@ Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
     const ImageSize size = fitted_size(scene.width, scene.height, vector_texture_side);
     return render_svg(svg->paintable, size.width, size.height);
   }
-  auto pixels = decode_image(bytes);
-  if (!pixels) return pixels.error();
-  return Drawing{std::move(*pixels)};
+  auto picture = decode_reduced(bytes);
+  if (!picture) return picture.error();
+  return Drawing{std::move(picture->rgba)};
 }
 
 /// Returns the guessed joins of a segmented drawing, which may be left out if a mesh is too coarse
@@ -188,9 +188,9 @@ Result<SceneInput> load_preview(const InputFile& input, bool connect, const RunC
       input.bytes, {}, {"mergedimage.png", "preview.png", "QuickLook/Thumbnail.png"});
   if (!entries) return entries.error();
   for (const ArchiveEntry& entry : *entries) {
-    auto pixels = decode_image(entry.bytes);
-    if (!pixels || is_blank(*pixels)) continue;
-    auto loaded = understand_flat({std::move(*pixels)}, input.name, connect, context);
+    auto picture = decode_reduced(entry.bytes);
+    if (!picture || is_blank(picture->rgba)) continue;
+    auto loaded = understand_flat({std::move(picture->rgba)}, input.name, connect, context);
     if (!loaded) return loaded.error();
     const FileKind kind = file_kind(input.bytes);
     loaded->warnings.insert(loaded->warnings.begin(),

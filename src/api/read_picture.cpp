@@ -46,6 +46,14 @@ std::string advice(const understanding::SegmentationRecord& record, const std::s
          " --scribbles strokes.png, or in the editor";
 }
 
+/// Says how much smaller a picture was read.
+std::string reduction_note(const ReducedImage& picture) {
+  const std::string size =
+      std::to_string(picture.rgba.width) + " x " + std::to_string(picture.rgba.height);
+  return "the picture was reduced to " + size + " px, 1/" + std::to_string(picture.factor) +
+         " of its size; parts and texture need no more";
+}
+
 DrawnScene drawn(SceneInput input) {
   return {std::move(input.scene), std::move(input.drawing), std::move(input.files),
           std::move(input.warnings), input.proposed};
@@ -77,10 +85,12 @@ Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, boo
 }
 
 Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context) {
-  auto pixels = decode_image(input.bytes);
-  if (!pixels) return pixels.error();
-  auto loaded = understand_flat({std::move(*pixels)}, input.name, connect, context);
+  auto picture = decode_reduced(input.bytes);
+  if (!picture) return picture.error();
+  const std::string note = picture->factor > 1 ? reduction_note(*picture) : "";
+  auto loaded = understand_flat({std::move(picture->rgba)}, input.name, connect, context);
   if (!loaded) return in_first_frame(loaded.error(), input.bytes);
+  if (!note.empty()) loaded->understood.insert(loaded->understood.begin(), note);
   if (std::string warning = first_frame_warning(input.bytes); !warning.empty())
     loaded->warnings.push_back(std::move(warning));
   return loaded;

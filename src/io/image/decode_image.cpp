@@ -21,6 +21,7 @@
 #include "io/image/jpeg_header.h"
 #include "io/image/orientation.h"
 #include "io/image/png.h"
+#include "io/image/row_average.h"
 #include "io/image/webp.h"
 
 namespace relievo {
@@ -84,27 +85,36 @@ bool is_cmyk(const JpegReader& reader) {
   return reader.jpeg.jpeg_color_space == JCS_CMYK || reader.jpeg.jpeg_color_space == JCS_YCCK;
 }
 
-bool read_pixels(JpegReader& reader, Image8& image) {
-  if (setjmp(reader.jump) != 0) return false;
-  reader.jpeg.out_color_space = is_cmyk(reader) ? JCS_CMYK : JCS_EXT_RGBA;
-  jpeg_start_decompress(&reader.jpeg);
-  while (reader.jpeg.output_scanline < reader.jpeg.output_height) {
-    JSAMPROW row = &image.at(0, static_cast<int>(reader.jpeg.output_scanline));
-    jpeg_read_scanlines(&reader.jpeg, &row, 1);
-  }
-  jpeg_finish_decompress(&reader.jpeg);
-  return true;
-}
-
 /// Turns ink amounts into light, in place. Adobe's files store 255 - ink.
-void cmyk_to_rgba(Image8& image, bool inverted) {
-  for (size_t i = 0; i < image.pixels.size(); i += 4) {
-    uint8_t* pixel = &image.pixels[i];
+void cmyk_to_rgba(Bytes& row, bool inverted) {
+  for (size_t i = 0; i < row.size(); i += 4) {
+    uint8_t* pixel = &row[i];
     if (!inverted)
       for (int c = 0; c < 4; ++c) pixel[c] = static_cast<uint8_t>(255 - pixel[c]);
     for (int c = 0; c < 3; ++c) pixel[c] = static_cast<uint8_t>((pixel[c] * pixel[3] + 127) / 255);
     pixel[3] = 255;
   }
+}
+
+bool read_pixels(JpegReader& reader, Bytes& row, RowAverage& average) {
+  if (setjmp(reader.jump) != 0) return false;
+  reader.jpeg.out_color_space = is_cmyk(reader) ? JCS_CMYK : JCS_EXT_RGBA;
+  jpeg_start_decompress(&reader.jpeg);
+  while (reader.jpeg.output_scanline < reader.jpeg.output_height) {
+    JSAMPROW target = row.data();
+    jpeg_read_scanlines(&reader.jpeg, &target, 1);
+    if (is_cmyk(reader)) cmyk_to_rgba(row, reader.jpeg.saw_Adobe_marker == TRUE);
+    average.add(row.data());
+  }
+  jpeg_finish_decompress(&reader.jpeg);
+  return true;
+}
+
+/// Returns the largest divisor of `factor` by which libjpeg reduces each block while it decodes it.
+int divisor_in_blocks(int factor) {
+  int divisor = 8;
+  while (factor % divisor != 0) divisor /= 2;
+  return divisor;
 }
 
 int orientation_of(const JpegReader& reader) {
@@ -120,36 +130,69 @@ bool too_short(const JpegReader& reader, size_t byte_count) {
   return reader.jpeg.arith_code == FALSE && blocks / 8 > byte_count;
 }
 
-}  // namespace
-
-Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
+Result<Image8> decode(ByteView bytes, const ImageLimits& limits, int factor) {
   if (is_png(bytes)) {
-    auto image = decode_png(bytes, limits);
+    auto image = decode_png(bytes, limits, factor);
     if (!image) return image;
     return upright(std::move(*image), png_orientation(bytes));
   }
-  if (is_jpeg(bytes)) return decode_jpeg(bytes, limits);
-  if (is_gif(bytes)) return decode_gif(bytes, limits);
-  if (is_webp(bytes)) return decode_webp(bytes, limits);
-  if (is_heif(bytes)) return decode_heif(bytes, limits);
+  if (is_jpeg(bytes)) return decode_jpeg(bytes, limits, factor);
+  if (is_gif(bytes)) {
+    auto image = decode_gif(bytes, limits);
+    if (!image) return image;
+    return averaged(std::move(*image), factor);
+  }
+  if (is_webp(bytes)) return decode_webp(bytes, limits, factor);
+  if (is_heif(bytes)) return decode_heif(bytes, limits, factor);
   if (is_nearly_png(bytes)) return decode_png(bytes, limits);  // which names the defect
   return refused_file(bytes);
 }
 
-Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits) {
+/// Reads a picture's size in its header.
+Result<ImageSize> size_in_header(ByteView bytes, const ImageLimits& limits) {
+  if (is_png(bytes)) return png_size(bytes, streamed(limits));
+  if (is_jpeg(bytes)) return jpeg_size(bytes, streamed(limits));
+  if (is_gif(bytes)) return gif_size(bytes, limits);
+  if (is_webp(bytes)) return webp_size(bytes, limits);
+  if (is_heif(bytes)) return heif_size(bytes, limits);
+  return refused_file(bytes);
+}
+
+}  // namespace
+
+Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
+  return decode(bytes, limits, 1);
+}
+
+Result<ReducedImage> decode_reduced(ByteView bytes, const ImageLimits& limits) {
+  const auto size = size_in_header(bytes, limits);
+  if (!size && size.error().code == ErrorCode::limit) return size.error();
+  // The decoder says what is wrong with a header.
+  const int factor = size ? reduction_factor(size->width, size->height) : 1;
+  auto image = decode(bytes, limits, factor);
+  if (!image) return image.error();
+  return ReducedImage{std::move(*image), factor};
+}
+
+Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits, int factor) {
   if (!is_jpeg(bytes)) return damaged_image("JPEG", "it does not begin with the JPEG signature");
   JpegReader reader;
   if (!read_header(reader, bytes)) return damaged_image("JPEG", reader.message.data());
-  const Status size = check_image_size(reader.jpeg.image_width, reader.jpeg.image_height, limits);
+  const bool by_rows = factor > 1 && jpeg_has_multiple_scans(&reader.jpeg) == FALSE;
+  const Status size = check_image_size(reader.jpeg.image_width, reader.jpeg.image_height,
+                                       by_rows ? streamed(limits) : limits);
   if (!size) return size.error();
   if (too_short(reader, bytes.size())) return damaged_image("JPEG", "it ends early");
   const int orientation = orientation_of(reader);
 
-  Image8 image(static_cast<int>(reader.jpeg.image_width),
-               static_cast<int>(reader.jpeg.image_height), 4);
-  if (!read_pixels(reader, image)) return damaged_image("JPEG", reader.message.data());
-  if (is_cmyk(reader)) cmyk_to_rgba(image, reader.jpeg.saw_Adobe_marker == TRUE);
-  return upright(std::move(image), orientation);
+  const int divisor = divisor_in_blocks(factor);
+  const int width = reduced_side(static_cast<int>(reader.jpeg.image_width), divisor);
+  const int height = reduced_side(static_cast<int>(reader.jpeg.image_height), divisor);
+  reader.jpeg.scale_denom = static_cast<unsigned>(divisor);
+  RowAverage average(width, height, factor / divisor);
+  Bytes row(size_t{4} * static_cast<size_t>(width));
+  if (!read_pixels(reader, row, average)) return damaged_image("JPEG", reader.message.data());
+  return upright(average.take(), orientation);
 }
 
 }  // namespace relievo

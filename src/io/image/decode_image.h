@@ -12,9 +12,20 @@ namespace relievo {
 /// frame. Errors: `bad_input` where the file is damaged or none of them, `limit`.
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits = {});
 
+/// A picture of the size in which parts are sought.
+struct ReducedImage {
+  Image8 rgba;
+  int factor = 1;  ///< each pixel is the average of so many px a side
+};
+
+/// Decodes a picture as decode_image does, and reduces it by reduction_factor meanwhile. PNG
+/// without interlacing and JPEG without progression are never held whole. Errors: as decode_image.
+Result<ReducedImage> decode_reduced(ByteView bytes, const ImageLimits& limits = {});
+
 /// Decodes a JPEG file (grey, colour or CMYK, baseline or progressive) to 8-bit sRGB with alpha
-/// 255, 4 channels, upright by its EXIF orientation. Colour profiles are ignored. Errors:
-/// `bad_input` where the file is damaged or cut short (the message has the reason), `limit`.
-Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits = {});
+/// 255, 4 channels, upright by its EXIF orientation, each pixel the average of `factor` px a side.
+/// Colour profiles are ignored. Errors: `bad_input` where the file is damaged or cut short (the
+/// message has the reason), `limit`.
+Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits = {}, int factor = 1);
 
 }  // namespace relievo

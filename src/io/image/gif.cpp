@@ -163,6 +163,15 @@ bool is_gif(ByteView bytes) {
          (bytes[4] == '7' || bytes[4] == '9') && bytes[5] == 'a';
 }
 
+Result<ImageSize> gif_size(ByteView bytes, const ImageLimits& limits) {
+  constexpr size_t header_end = 10;
+  if (bytes.size() < header_end) return damaged_image("GIF", "it ends early");
+  const ImageSize size{bytes[6] | bytes[7] << 8, bytes[8] | bytes[9] << 8};
+  if (Status status = check_image_size(size.width, size.height, limits); !status)
+    return status.error();
+  return size;
+}
+
 Result<Image8> decode_gif(ByteView bytes, const ImageLimits& limits) {
   if (!is_gif(bytes)) return damaged_image("GIF", "it does not begin with the GIF signature");
   GifReader reader(bytes);

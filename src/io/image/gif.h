@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "io/image/image_limits.h"
+#include "kernel/image/image_size.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
@@ -11,6 +12,9 @@ namespace relievo {
 
 /// Returns whether `bytes` begin like a GIF file.
 bool is_gif(ByteView bytes);
+
+/// Reads the size in the header of a GIF file, without decoding it. Errors: as decode_gif.
+Result<ImageSize> gif_size(ByteView bytes, const ImageLimits& limits = {});
 
 /// Decodes the first picture of a GIF file on its transparent canvas to 8-bit sRGB with straight
 /// alpha, 4 channels. Errors: `bad_input` where the file is damaged or cut short (the message has

@@ -11,8 +11,15 @@ namespace relievo {
 struct ImageLimits {
   int64_t max_pixels = 100'000'000;
   int64_t max_side = 32'767;
-  int64_t max_total = 600'000'000;  ///< pixels of all layers of a drawing together
+  int64_t max_total = 600'000'000;     ///< pixels of all layers of a drawing together
+  int64_t max_streamed = 200'000'000;  ///< pixels of a picture that is reduced row by row
 };
+
+/// Returns the limits of a picture of which few rows are held at a time.
+inline ImageLimits streamed(ImageLimits limits) {
+  limits.max_pixels = limits.max_streamed;
+  return limits;
+}
 
 /// Returns a number of pixels in words: "12.5 megapixels".
 inline std::string megapixels(int64_t pixels) {

@@ -13,6 +13,7 @@
 
 #include "io/image/image_limits.h"
 #include "io/image/orientation.h"
+#include "io/image/row_average.h"
 
 namespace relievo {
 namespace {
@@ -97,6 +98,16 @@ bool read_pixels(PngReader& reader, png_bytepp rows) {
   return true;
 }
 
+bool read_pixels(PngReader& reader, Bytes& row, int height, RowAverage& average) {
+  if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+  for (int y = 0; y < height; ++y) {
+    png_read_row(reader.png, row.data(), nullptr);
+    average.add(row.data());
+  }
+  png_read_end(reader.png, nullptr);
+  return true;
+}
+
 /// Returns the content of the first chunk with this name; empty where there is none.
 ByteView chunk_of(ByteView bytes, std::string_view name) {
   constexpr size_t around = 12;  // bytes of a chunk's length, name and checksum
@@ -115,6 +126,7 @@ constexpr size_t least_alike = 5;
 constexpr size_t first_line_end = 4;
 constexpr size_t bit_depth_at = 24;
 constexpr size_t color_type_at = 25;
+constexpr size_t interlacing_at = 28;
 
 /// The bit depths of the colour types that exist.
 const std::map<int, std::vector<int>> bit_depths = {
@@ -279,17 +291,26 @@ Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits) {
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
-Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
-  const auto size = png_size(bytes, limits);
+Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits, int factor) {
+  const bool by_rows =
+      factor > 1 && bytes.size() > interlacing_at && bytes[interlacing_at] == PNG_INTERLACE_NONE;
+  const auto size = png_size(bytes, by_rows ? streamed(limits) : limits);
   if (!size) return size.error();
   PngReader reader;
   if (Status s = start(reader, bytes, *size, limits, Samples::rgba); !s) return s.error();
+  if (by_rows) {
+    RowAverage average(size->width, size->height, factor);
+    Bytes row(size_t{4} * static_cast<size_t>(size->width));
+    if (!read_pixels(reader, row, size->height, average))
+      return damaged_image("PNG", png_defect(bytes, reader.message));
+    return average.take();
+  }
   Image8 image(size->width, size->height, 4);
   std::vector<png_bytep> rows(static_cast<size_t>(size->height));
   for (int y = 0; y < image.height; ++y) rows[static_cast<size_t>(y)] = &image.at(0, y);
   if (!read_pixels(reader, rows.data()))
     return damaged_image("PNG", png_defect(bytes, reader.message));
-  return image;
+  return averaged(std::move(image), factor);
 }
 
 Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits) {

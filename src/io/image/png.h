@@ -18,9 +18,10 @@ bool is_png(ByteView bytes);
 Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits = {});
 
 /// Decodes a PNG file of any colour type, depth and interlacing to 8-bit sRGB with straight alpha,
-/// 4 channels. Gamma and colour profiles are ignored, 16-bit samples are rounded. Errors:
-/// `bad_input` where the file is damaged or cut short (the message has the reason), `limit`.
-Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits = {});
+/// 4 channels, each pixel the average of `factor` px a side. Gamma and colour profiles are ignored,
+/// 16-bit samples are rounded. Errors: `bad_input` where the file is damaged or cut short (the
+/// message has the reason), `limit`.
+Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits = {}, int factor = 1);
 
 /// Decodes the unscaled values of a grey or palette PNG file of up to 16 bits (palette: the
 /// indices), 1 channel; an alpha channel is left out. For pictures whose values are numbers, not

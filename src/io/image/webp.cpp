@@ -3,10 +3,12 @@
 #include <webp/decode.h>
 #include <webp/demux.h>
 
+#include <cstddef>
 #include <cstring>
 #include <memory>
 
 #include "io/image/orientation.h"
+#include "io/image/row_average.h"
 
 namespace relievo {
 namespace {
@@ -34,13 +36,27 @@ int orientation_of(const WebPDemuxer* demuxer) {
   return orientation;
 }
 
+Result<ImageSize> size_of(const WebPDemuxer* demuxer, const ImageLimits& limits) {
+  const auto width = static_cast<int>(WebPDemuxGetI(demuxer, WEBP_FF_CANVAS_WIDTH));
+  const auto height = static_cast<int>(WebPDemuxGetI(demuxer, WEBP_FF_CANVAS_HEIGHT));
+  if (Status size = check_image_size(width, height, limits); !size) return size.error();
+  return ImageSize{width, height};
+}
+
+/// Copies a frame, or reduces it.
+Image8 frame_of(const uint8_t* rgba, const ImageSize& size, int factor) {
+  RowAverage average(size.width, size.height, factor);
+  for (int y = 0; y < size.height; ++y) average.add(rgba + ptrdiff_t{4} * size.width * y);
+  return average.take();
+}
+
 /// Decodes at most so many frames.
-Result<std::vector<Image8>> decode_some(ByteView bytes, size_t most, const ImageLimits& limits) {
+Result<std::vector<Image8>> decode_some(ByteView bytes, size_t most, const ImageLimits& limits,
+                                        int factor) {
   const Demuxer demuxer = open_webp(bytes);
   if (!demuxer) return damaged_webp();
-  const auto width = static_cast<int>(WebPDemuxGetI(demuxer.get(), WEBP_FF_CANVAS_WIDTH));
-  const auto height = static_cast<int>(WebPDemuxGetI(demuxer.get(), WEBP_FF_CANVAS_HEIGHT));
-  if (Status size = check_image_size(width, height, limits); !size) return size.error();
+  const auto size = size_of(demuxer.get(), limits);
+  if (!size) return size.error();
   WebPAnimDecoderOptions options;
   if (WebPAnimDecoderOptionsInit(&options) == 0)
     return Error{ErrorCode::internal, "libwebp has another version", ""};
@@ -54,9 +70,7 @@ Result<std::vector<Image8>> decode_some(ByteView bytes, size_t most, const Image
     uint8_t* rgba = nullptr;
     int time = 0;
     if (WebPAnimDecoderGetNext(decoder.get(), &rgba, &time) == 0) return damaged_webp();
-    Image8 frame(width, height, 4);
-    std::memcpy(frame.pixels.data(), rgba, frame.pixels.size());
-    frames.push_back(upright(std::move(frame), orientation));
+    frames.push_back(upright(frame_of(rgba, *size, factor), orientation));
   }
   if (frames.empty()) return damaged_webp();
   return frames;
@@ -69,8 +83,14 @@ bool is_webp(ByteView bytes) {
          std::memcmp(bytes.data() + 8, "WEBP", 4) == 0;
 }
 
-Result<Image8> decode_webp(ByteView bytes, const ImageLimits& limits) {
-  auto frames = decode_some(bytes, 1, limits);
+Result<ImageSize> webp_size(ByteView bytes, const ImageLimits& limits) {
+  const Demuxer demuxer = open_webp(bytes);
+  if (!demuxer) return damaged_webp();
+  return size_of(demuxer.get(), limits);
+}
+
+Result<Image8> decode_webp(ByteView bytes, const ImageLimits& limits, int factor) {
+  auto frames = decode_some(bytes, 1, limits, factor);
   if (!frames) return frames.error();
   return std::move(frames->front());
 }
@@ -81,7 +101,7 @@ size_t webp_frame_count(ByteView bytes) {
 }
 
 Result<std::vector<Image8>> decode_webp_frames(ByteView bytes, const ImageLimits& limits) {
-  return decode_some(bytes, SIZE_MAX, limits);
+  return decode_some(bytes, SIZE_MAX, limits, 1);
 }
 
 }  // namespace relievo
