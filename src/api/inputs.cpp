@@ -22,6 +22,7 @@
 #include "kernel/image/image_size.h"
 #include "relievo/files.h"
 #include "understanding/marks/make_parts.h"
+#include "understanding/marks/paint_gap.h"
 #include "understanding/scene/connect_scene.h"
 
 namespace relievo {
@@ -34,6 +35,13 @@ constexpr double vector_texture_side = 2048;
 
 /// Longest side of the picture of a vector drawing in which parts are sought, px.
 constexpr double flat_picture_side = 1600;
+
+/// Longest side of the painting that is compared with the shapes that were read, px, and the
+/// largest shares of a shape without paint and of the paint in no shape. Of 223 drawings that are
+/// read well none has more than 0.003 and 0.05.
+constexpr double compared_side = 400;
+constexpr double most_bare = 0.03;
+constexpr double most_loose = 0.1;
 
 /// Finds the parts in the picture of a vector drawing, as in a flat drawing. Adds a warning that
 /// gives the reason.
@@ -61,6 +69,15 @@ SceneInput with_layers(understanding::LayeredDrawing&& drawing, bool connect) {
   return loaded;
 }
 
+/// Returns whether the shapes that were read of a drawing are not those that are painted. A
+/// drawing that cannot be painted fails elsewhere.
+bool departs_from_paint(const understanding::LayeredDrawing& drawing) {
+  const auto painting = rasterize(drawing.paintable, compared_side);
+  if (!painting) return false;
+  const understanding::PaintGap gap = understanding::find_paint_gap(drawing, painting->rgba);
+  return gap.bare > most_bare || gap.loose > most_loose;
+}
+
 Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunContext& context) {
   auto read = read_svg(text_of(input.bytes));
   if (!read) return read.error();
@@ -70,15 +87,22 @@ Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunConte
         "the drawing is a picture: its parts are found as in a flat drawing; relievo segment can "
         "correct them",
         connect, context);
+  const bool painted_otherwise = departs_from_paint(*read);
   if (Status status = understanding::make_parts(*read); !status) return status.error();
-  if (read->line_art) {
-    auto lines = understand_painting(
+  if (read->line_art || (read->proposed && painted_otherwise)) {
+    auto seen = understand_painting(
         input, read->paintable,
-        "nothing is filled: the parts are the areas that lines enclose; relievo segment can "
-        "correct them",
+        read->line_art ? "the drawing is made of lines: its parts are the areas that they enclose; "
+                         "relievo segment can correct them"
+                       : "the shapes that were read are not those that are painted: the parts are "
+                         "found as in a flat drawing; relievo segment can correct them",
         connect, context);
-    if (lines && !lines->scene.parts.empty()) return lines;
+    if (seen && !seen->scene.parts.empty()) return seen;
   }
+  if (painted_otherwise)
+    read->warnings.emplace_back(
+        "some parts are not painted as they were read: look at the model; if it is wrong, save the "
+        "drawing as PNG and open that");
   auto rendering = std::async(
       worker_count() > 1 ? std::launch::async : std::launch::deferred,
       [svg = std::move(read->paintable)] { return rasterize(svg, vector_texture_side); });

@@ -70,7 +70,19 @@ TEST_F(Check, FindsThePartsThatStrokesEnclose) {
   const Outcome outcome = relievo({"check", "lines.svg"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("2 parts"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.err.find("nothing is filled"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("made of lines"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Check, FindsThePartsInThePictureWhereShapesThatArePaintedAreNotRead) {
+  write(
+      "faded.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='400' height='400'><linearGradient id='fade'>"
+      "<stop offset='0.4' stop-color='#36c'/><stop offset='1' stop-color='#36c' "
+      "stop-opacity='0'/></linearGradient><circle cx='200' cy='200' r='150' fill='url(#fade)'/>"
+      "<circle cx='150' cy='150' r='15'/></svg>");
+  const Outcome outcome = relievo({"check", "faded.svg"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("not those that are painted"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Check, NamesTheLayerOfADrawingThatIsTextAlone) {

@@ -65,7 +65,8 @@ std::vector<understanding::Mark> visible_marks(const SvgDrawing& drawing,
   for (const SvgShape* shape : shapes) {
     if (shape->is_note() || inherited_mark(drawing, shape->group) >= SvgMark::texture) continue;
     understanding::Mark mark = mark_of(*shape, drawing, least);
-    if (mark.region.empty() || is_paint(*shape, drawing)) continue;
+    if (mark.region.empty()) continue;
+    mark.blends = is_paint(*shape, drawing);
     marks.push_back(std::move(mark));
   }
   return marks;

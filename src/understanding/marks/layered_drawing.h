@@ -52,7 +52,7 @@ struct LayeredDrawing {
   std::string text_with_lines;
   bool flat = false;                  ///< the layers are no parts: these come from segmentation
   bool proposed = false;              ///< make_parts proposed the parts
-  bool line_art = false;              ///< it did, and no mark is filled: lines enclose the parts
+  bool line_art = false;              ///< it did, and the marks are lines that enclose the parts
   std::vector<std::string> warnings;  ///< a sentence each
 };
 

@@ -15,6 +15,8 @@ namespace {
 constexpr size_t parts_of_drawing = 4;
 /// Least common area of two parts of which one lies over the other / area of the smaller one.
 constexpr double least_overlap = 0.05;
+/// Least area within lines and between them / area of the lines that make a drawing one of lines.
+constexpr double enclosing = 2;
 
 Box2 canvas_of(const Scene& scene) { return {{0, 0}, {scene.width, scene.height}}; }
 
@@ -43,6 +45,13 @@ bool shows_something(const Image8& rgba) {
   return false;
 }
 
+/// Returns whether lines of one colour enclose more than they cover, as those of traced ink do.
+bool is_traced_ink(const SilhouetteList& list) {
+  for (const Silhouette& silhouette : list.silhouettes)
+    if (color_distance(silhouette.color, list.silhouettes[0].color) > color_contrast) return false;
+  return area(without_holes(list.covered)) > enclosing * area(list.covered);
+}
+
 Status propose(LayeredDrawing& drawing, size_t max_marks) {
   if (drawing.marks.size() > max_marks)
     return Error{ErrorCode::limit,
@@ -55,6 +64,7 @@ Status propose(LayeredDrawing& drawing, size_t max_marks) {
                                              [](const Mark& mark) { return mark.filled; });
   const SilhouetteList silhouettes =
       group_silhouettes(std::move(drawing.marks), canvas_of(drawing.scene));
+  drawing.line_art |= is_traced_ink(silhouettes);
   drawing.scene.parts = propose_parts(silhouettes, drawing.colors);
   drawing.proposed = true;
   drawing.flat = silhouettes.silhouettes.size() < 2 && shows_something(drawing.picture.rgba);

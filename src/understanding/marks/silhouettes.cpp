@@ -32,6 +32,16 @@ constexpr double over_others = 0.8;      ///< share of a shade over earlier mark
 constexpr double within_others = 0.95;   ///< likewise of an opaque shade
 constexpr double same_hue = 0.985;       ///< cosine between colours, or between their complements
 
+/// A tile: the least share of its convex hull and of its box, and the longest box / the narrowest.
+constexpr double tile_convexity = 0.98;
+constexpr double tile_share = 0.75;
+constexpr double tile_stretch = 1.3;
+/// The figure before a tile: its least share of the tile and of all that lies before it, and the
+/// largest share of its own convex hull. A face before a round head is smaller or rounder.
+constexpr double figure_share = 0.3;
+constexpr double one_figure = 0.9;
+constexpr double figure_convexity = 0.9;
+
 constexpr double flat_shadow = 2.5;    ///< width over height of a cast shadow
 constexpr double shadow_width = 0.35;  ///< of its width in that of the drawing, where it is opaque
 constexpr double floor_height = 0.12;  ///< of the drawing, where shadows lie
@@ -57,6 +67,14 @@ bool thinner(const Region& region, double thickness) {
 
 double height(const Box2& box) { return box.max.y - box.min.y; }
 double width(const Box2& box) { return box.max.x - box.min.x; }
+
+/// Returns the share of a region's convex hull that it fills.
+double convexity(const Region& region) {
+  std::vector<Point2> points;
+  for (const Ring& ring : region) points.insert(points.end(), ring.begin(), ring.end());
+  const double hull = signed_area(convex_hull(std::move(points)));
+  return hull > 0 ? area(region) / hull : 0;
+}
 
 double common_area(const Box2& p, const Box2& q) {
   const double width = std::min(p.max.x, q.max.x) - std::max(p.min.x, q.min.x);
@@ -137,7 +155,8 @@ std::string note_on(const Mark& mark, MarkRole role) {
 /// Finds the roles of marks in paint order, one after the other, each among marks that have none
 /// yet. Only shapes can become parts. The other roles are:
 ///  - background: a rectangle, the first mark or on other backgrounds, that reaches at least three
-///    sides of the canvas, or all four where nothing else is drawn;
+///    sides of the canvas, or all four where nothing else is drawn; or a disc, square or rounded
+///    tile next to these, with one figure before it that stays inside;
 ///  - shadow: flat, at the lower end, on background alone, and translucent, blurred or a dark
 ///    ellipse;
 ///  - ink: a stroke or fill as thin as a line; or dark, visible no wider than a thick pen, along or
@@ -182,9 +201,27 @@ class RoleFinder {
                         (box.max.y > canvas_.max.y - near_y ? 1 : 0);
       const bool rectangle = area(marks_[i].region) > 0.9 * width(box) * height(box);
       const int least = i + 1 < marks_.size() ? 3 : 4;
-      if (!marks_[i].filled || marks_[i].blends || sides < least || !rectangle) return;
+      if (!marks_[i].filled || marks_[i].blends) return;
+      if ((sides < least || !rectangle) && !is_tile(i)) return;
       roles_[i] = MarkRole::background;
     }
+  }
+
+  /// Returns whether mark i is a tile behind one figure that all later marks make.
+  bool is_tile(size_t i) const {
+    const Region& tile = marks_[i].region;
+    const double short_side = std::min(width(boxes_[i]), height(boxes_[i]));
+    const double long_side = std::max(width(boxes_[i]), height(boxes_[i]));
+    if (long_side > tile_stretch * short_side) return false;
+    if (area(tile) < tile_share * short_side * long_side) return false;
+    if (convexity(tile) < tile_convexity) return false;
+    std::vector<Region> later;
+    for (size_t j = i + 1; j < marks_.size(); ++j) later.push_back(marks_[j].region);
+    const std::vector<Region> before = pieces(unite(later));
+    if (before.empty() || area(before[0]) < figure_share * area(tile)) return false;
+    if (area(before[0]) < one_figure * area(unite(later))) return false;
+    return convexity(without_holes(before[0])) < figure_convexity &&
+           subtract(before[0], grow(tile, -rim_thickness * boxes_[i].diagonal())).empty();
   }
 
   /// Returns the area of all shapes of a range that are near.

@@ -7,18 +7,18 @@ namespace {
 
 const std::string torso = "<rect id='body' x='200' y='200' width='500' height='500' fill='#da5'/>";
 
-/// The names of the marks, with spaces between them.
+/// The names of the marks that are no mere paint, with spaces between them.
 std::string marks_in(const std::string& content) {
   const auto drawing = read_svg(svg_file(content));
   EXPECT_TRUE(drawing.ok());
   std::string names;
   if (!drawing) return names;
   for (const understanding::Mark& mark : drawing->marks)
-    names += (names.empty() ? "" : " ") + mark.name;
+    if (!mark.blends) names += (names.empty() ? "" : " ") + mark.name;
   return names;
 }
 
-TEST(SvgPaint, WhatBlendsWithSomethingBelowIsNoMark) {
+TEST(SvgPaint, WhatBlendsWithSomethingBelowIsPaint) {
   const std::string shade = "<rect id='shade' x='100' y='600' width='800' height='300' ";
   for (const char* mode : {"multiply", "screen", "overlay", "darken"})
     EXPECT_EQ(marks_in(torso + shade + "style='mix-blend-mode:" + mode + "'/>"), "body");

@@ -131,6 +131,27 @@ TEST(MarkRoles, SkyAndGroundAreBackground) {
             (Names{"box", "knob"}));
 }
 
+TEST(MarkRoles, ATileBehindAFigureIsBackground) {
+  const std::string tile = "<rect id='tile' x='50' y='50' width='900' height='900' rx='120'/>";
+  const std::string disc = "<circle id='disc' cx='500' cy='500' r='490'/>";
+  const std::string cat =
+      "<path id='body' d='M300 450h500v400h-500z' fill='#c84'/>"
+      "<path id='head' d='M150 200h350v350h-350z' fill='#da6'/>"
+      "<path id='tail' d='M700 500L820 300L860 330L760 520z' fill='#b73'/>";
+  const Names parts = {"body", "head", "tail"};
+  for (const std::string& behind : {tile, disc}) {
+    const LayeredDrawing import = roles_of(behind + cat);
+    EXPECT_EQ(names(import), parts);
+    EXPECT_TRUE(says(import, behind == tile ? "tile" : "disc", "background"));
+  }
+  EXPECT_EQ(names(roles_of(disc + cat + "<path id='foot' d='M310 700h80v300h-80z'/>"))[0], "disc")
+      << "what stands out of it shows that it is a body";
+  EXPECT_EQ(names(roles_of(disc + "<circle id='face' cx='500' cy='560' r='340' fill='#da6'/>"
+                                  "<circle cx='420' cy='500' r='40'/>"))[0],
+            "disc")
+      << "a mane lies behind a round face";
+}
+
 TEST(MarkRoles, HatchingIsTexture) {
   std::string hatching;
   for (int x = 300; x < 700; x += 20)
@@ -174,6 +195,21 @@ TEST(MarkRoles, DrawingsWithoutAnyFillAreLineArt) {
       "stroke-width='12'/>";
   EXPECT_TRUE(roles_of(line).line_art);
   EXPECT_FALSE(roles_of(trunk + line).line_art);
+}
+
+TEST(MarkRoles, TracedInkIsLineArt) {
+  const std::string frame =
+      "<path fill-rule='evenodd' d='M100 100h800v800h-800zM130 130h500v740h-500zM660 "
+      "130h210v740h-210z'/>";
+  EXPECT_TRUE(roles_of(frame).line_art);
+  EXPECT_TRUE(roles_of("<rect width='1000' height='1000' fill='#fff'/>" + frame +
+                       "<circle cx='300' cy='300' r='20'/>")
+                  .line_art);
+  EXPECT_FALSE(roles_of(frame + leg).line_art) << "with a colour";
+  EXPECT_FALSE(roles_of("<path fill-rule='evenodd' d='M100 100h800v800h-800zM300 "
+                        "300h300v300h-300z'/>")
+                   .line_art)
+      << "a figure with a hole";
 }
 
 }  // namespace
