@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "api/inputs.h"
+#include "api/read_picture.h"
 #include "apps/cli/common_arguments.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/report.h"
+#include "apps/cli/segment_hints.h"
 #include "apps/cli/segment_layers.h"
 #include "io/files/number_text.h"
 #include "io/files/paths.h"
@@ -23,8 +25,6 @@
 #include "io/project/project_file.h"
 #include "io/project/project_json.h"
 #include "io/psd/write_psd.h"
-#include "io/scribbles/scribble_image.h"
-#include "io/scribbles/scribbles_json.h"
 #include "io/svg/read_svg.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/compose.h"
@@ -71,7 +71,7 @@ struct SegmentArguments {
 struct SegmentInput {
   std::string drawing_file;  ///< its path or "-"; empty if a project holds it or it was made here
   Project project;           ///< new, or as it was read; it has a segmentation
-  Image8 pixels;             ///< of the drawing, RGBA
+  ReducedImage picture;      ///< the drawing as its parts are sought
   understanding::Segmentation found;  ///< empty if the project has the labels
   std::string first_frame{};          ///< a warning about an animation, or empty
 };
@@ -107,15 +107,8 @@ SegmentInput from_picture(const InputFile& file) {
   return input;
 }
 
-/// Unpacks a photo, a PNG file.
-Result<Bytes> unpacked(const Bytes& heic) {
-  const auto pixels = decode_heif(heic);
-  if (!pixels) return pixels.error();
-  return encode_png(*pixels);
-}
-
-/// Keeps a picture in place of a file: of vectors, since labels belong to pixels and a build reads
-/// the same, or of HEIC, which browsers do not read.
+/// Keeps a picture in place of a file: of vectors or reduced, since labels belong to pixels and a
+/// build reads the same, or of HEIC, which browsers do not read.
 Result<SegmentInput> from_picture_of(const InputFile& file, Result<Bytes> picture) {
   if (!picture) return picture.error();
   SegmentInput input = from_picture({file.name, std::move(*picture)});
@@ -125,52 +118,39 @@ Result<SegmentInput> from_picture_of(const InputFile& file, Result<Bytes> pictur
   return input;
 }
 
+/// Decodes a picture. Scenes name its file, even where a project keeps it reduced.
+Result<SegmentInput> from_flat(const InputFile& file) {
+  auto picture = decode_reduced(file.bytes);
+  if (!picture) return picture.error();
+  const bool is_heic = is_heif(file.bytes) && !is_avif(file.bytes);
+  auto input = is_heic || picture->factor > 1 ? from_picture_of(file, encode_png(picture->rgba))
+                                              : Result<SegmentInput>(from_picture(file));
+  if (!input) return input;
+  if (!is_heic) input->drawing_file = file.name;
+  input->picture = std::move(*picture);
+  return input;
+}
+
 Result<SegmentInput> from_file(const InputFile& file) {
   if (is_project(file.bytes)) return from_project(file);
   const InputKind kind = sniff(file.bytes);
   if (kind == InputKind::svg) return from_picture_of(file, picture_of(file.bytes));
-  if (is_heif(file.bytes) && !is_avif(file.bytes))
-    return from_picture_of(file, unpacked(file.bytes));
-  return from_picture(file);
-}
-
-Error wrong_size(const Image8& drawing, const std::string& name) {
-  return {ErrorCode::bad_input,
-          "must be as large as the drawing, " + std::to_string(drawing.width) + " x " +
-              std::to_string(drawing.height) + " pixels",
-          name};
-}
-
-/// Returns what `decode` makes of the content of a file.
-template <class Decode>
-auto read_as(const std::string& name, Decode decode) -> decltype(decode(Bytes())) {
-  const auto bytes = read_file(name);
-  if (!bytes) return bytes.error();
-  auto content = decode(*bytes);
-  return content ? std::move(content) : in_file(content.error(), name);
-}
-
-Result<understanding::Scribbles> decode_scribbles(const Bytes& bytes, const Image8& drawing) {
-  if (!is_png(bytes)) return read_scribbles(text_of(bytes));
-  const auto picture = decode_png(bytes);
-  if (!picture) return picture.error();
-  return scribbles_from_image(*picture, drawing.width, drawing.height);
+  return from_flat(file);
 }
 
 /// Makes the drawing transparent outside the mask `name`. The result replaces the drawing, so that
 /// everything which reads it later finds the same figure.
 Status cut_out(const std::string& name, SegmentInput& input) {
-  const auto mask = read_as(name, [](const Bytes& bytes) { return decode_image(bytes); });
+  const auto mask = read_mask(name, input.picture);
   if (!mask) return mask.error();
-  if (mask->width != input.pixels.width || mask->height != input.pixels.height)
-    return wrong_size(input.pixels, name);
+  Image8& drawing = input.picture.rgba;
   const bool by_alpha = least_alpha(*mask) < 128;
   for (size_t i = 0; i < mask->pixels.size(); i += 4) {
     const uint8_t* p = &mask->pixels[i];
     const int value = by_alpha ? p[3] : std::max({p[0], p[1], p[2]});
-    if (value < 128) std::fill_n(&input.pixels.pixels[i], 4, uint8_t{0});
+    if (value < 128) std::fill_n(&drawing.pixels[i], 4, uint8_t{0});
   }
-  auto cut = encode_png(input.pixels);
+  auto cut = encode_png(drawing);
   if (!cut) return cut.error();
   const std::string title = fs::path(input.project.drawing.name).replace_extension("png").string();
   input.project.drawing = {title, "image", "image/png", std::move(*cut)};
@@ -183,8 +163,7 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
   understanding::SegmentationRecord& record = *input.project.segmentation;
   if (!segment.labels.empty()) {
-    auto labels =
-        read_as(segment.labels, [](const Bytes& bytes) { return decode_png_values(bytes); });
+    auto labels = read_labels(segment.labels, input.picture);
     if (!labels) return labels.error();
     record.labels = std::move(*labels);
     return Done{};
@@ -195,14 +174,13 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
   if (!segment.figure.empty())
     if (Status status = cut_out(segment.figure, input); !status) return status;
   if (!segment.scribbles.empty()) {
-    auto scribbles = read_as(segment.scribbles, [&](const Bytes& bytes) {
-      return decode_scribbles(bytes, input.pixels);
-    });
+    auto scribbles = read_strokes(segment.scribbles, input.picture);
     if (!scribbles) return scribbles.error();
     record.scribbles = std::move(*scribbles);
   }
   if (segment.parts > 0) record.scribbles.count = segment.parts;
-  auto found = understanding::segment_drawing(Drawing{input.pixels}, record.scribbles, context);
+  auto found =
+      understanding::segment_drawing(Drawing{input.picture.rgba}, record.scribbles, context);
   if (!found) return found.error();
   input.found = std::move(*found);
   return Done{};
@@ -214,16 +192,18 @@ Result<SegmentInput> load(const SegmentArguments& segment, const InputFile& file
   auto input =
       layers.rgba.empty() ? from_file(file) : from_picture_of(file, encode_png(layers.rgba));
   if (!input) return in_file(input.error(), file.name);
-  auto pixels = decode_image(input->project.drawing.bytes);
-  if (!pixels) return in_file(pixels.error(), file.name);
-  input->pixels = std::move(*pixels);
+  if (input->picture.rgba.empty()) {
+    auto pixels = decode_image(input->project.drawing.bytes);
+    if (!pixels) return in_file(pixels.error(), file.name);
+    input->picture.rgba = std::move(*pixels);
+  }
   if (Status status = choose_labels(segment, *input, context); !status)
     return in_first_frame(status.error(), file.bytes);
   input->first_frame = first_frame_warning(file.bytes);
   const Image16& labels =
       input->found.labels.empty() ? input->project.segmentation->labels : input->found.labels;
-  if (labels.width != input->pixels.width || labels.height != input->pixels.height)
-    return wrong_size(input->pixels, segment.labels);
+  if (labels.width != input->picture.rgba.width || labels.height != input->picture.rgba.height)
+    return wrong_size(input->picture.rgba, segment.labels);
   return input;
 }
 
@@ -248,14 +228,14 @@ Outputs outputs_of(const SegmentArguments& segment, const SegmentInput& input,
               {input.drawing_file, input.project.drawing.bytes});
   else
     outputs.add(segment.output, [&] {
-      return ending == ".psd" ? encode_part_layers(understanding.scene, input.pixels)
+      return ending == ".psd" ? encode_part_layers(understanding.scene, input.picture.rgba)
                               : encode_project(project_of(input, understanding));
     });
   outputs.add(segment.overlay, [&] {
     std::vector<std::vector<Point2>> bridges;
     for (const understanding::Bridge& bridge : understanding.segmentation.bridges)
       bridges.push_back(bridge.points);
-    return draw_overlay(understanding.scene, {bridges, {}}, input.pixels);
+    return draw_overlay(understanding.scene, {bridges, {}}, input.picture.rgba);
   });
   outputs.add(segment.report, [&] {
     return bytes_of(
@@ -323,7 +303,7 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   if (!loaded) return loaded.error();
   const Stopwatch watch;
   const auto understood = understanding::understand_drawing(
-      loaded->pixels, std::move(loaded->found), std::move(*loaded->project.segmentation),
+      loaded->picture.rgba, std::move(loaded->found), std::move(*loaded->project.segmentation),
       loaded->project.scene, context);
   if (!understood) return understood.error();
   if (understood->scene.parts.empty())
@@ -333,6 +313,7 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   if (*layers && !is_svg) print_warnings((*layers)->warnings);
   print_warnings(understood->warnings);
   if (!loaded->first_frame.empty()) print_warnings({loaded->first_frame});
+  if (loaded->picture.factor > 1) print_note(reduction_note(loaded->picture));
   print_note(summary(understood->scene));
   for (const OutputFile& written : made.files) print_result(written.path.string());
   return Done{};

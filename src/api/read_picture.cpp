@@ -46,20 +46,19 @@ std::string advice(const understanding::SegmentationRecord& record, const std::s
          " --scribbles strokes.png, or in the editor";
 }
 
-/// Says how much smaller a picture was read.
-std::string reduction_note(const ReducedImage& picture) {
-  const std::string size =
-      std::to_string(picture.rgba.width) + " x " + std::to_string(picture.rgba.height);
-  return "the picture was reduced to " + size + " px, 1/" + std::to_string(picture.factor) +
-         " of its size; parts and texture need no more";
-}
-
 DrawnScene drawn(SceneInput input) {
   return {std::move(input.scene), std::move(input.drawing), std::move(input.files),
           std::move(input.warnings), input.proposed};
 }
 
 }  // namespace
+
+std::string reduction_note(const ReducedImage& picture) {
+  const std::string size =
+      std::to_string(picture.rgba.width) + " x " + std::to_string(picture.rgba.height);
+  return "the picture was reduced to " + size + " px, 1/" + std::to_string(picture.factor) +
+         " of its size; parts and texture need no more";
+}
 
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
                                    const RunContext& context) {

@@ -3,11 +3,15 @@
 #include <string>
 
 #include "api/inputs.h"
+#include "io/image/decode_image.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 
 namespace relievo {
+
+/// Says by how much a picture was reduced.
+std::string reduction_note(const ReducedImage& picture);
 
 /// Makes the scene of a flat drawing: parts are found, completed, ordered and, if `connect`, joined
 /// without help, and `understood` describes the result. `file`: name of the drawing for messages.
@@ -16,8 +20,8 @@ Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, boo
                                    const RunContext& context);
 
 /// Makes the scene of a picture file (see decode_image) as understand_flat does. Of an animation
-/// the first frame is used, with a warning. Errors: as there, and `bad_input` if the file cannot be
-/// decoded.
+/// the first frame is used, with a warning; a large picture is reduced, which `understood` says.
+/// Errors: as there, and `bad_input` if the file cannot be decoded.
 Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context);
 
 }  // namespace relievo

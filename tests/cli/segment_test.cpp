@@ -153,6 +153,46 @@ TEST_F(Segment, APictureIsBuiltInOneStep) {
   EXPECT_EQ(read("fox.glb"), read("two.glb"));
 }
 
+TEST_F(Segment, HintsForALargePictureMayHaveItsSizeOrTheReducedOne) {
+  const Image16 labels =
+      painted(3600, 2400, {oval(1800, 840, 1500, 670, 0), box(1440, 840, 2100, 2200)});
+  Image8 drawing(3600, 2400, 3, 255);
+  Image8 mask(3600, 2400, 1);
+  for (int y = 0; y < 2400; ++y)
+    for (int x = 0; x < 3600; ++x)
+      if (labels.at(x, y) > 0) {
+        drawing.at(x, y, labels.at(x, y)) = 60;
+        mask.at(x, y) = 255;
+      }
+  write("large.png", std::string(to_text(*encode_png(drawing))));
+  write("large-labels.png", std::string(to_text(*encode_png(labels))));
+  write("large-mask.png", std::string(to_text(*encode_png(mask))));
+  write("strokes.json", R"({"format": "relievo-scribbles", "version": 1, "parts": ["body", "leg"],
+    "strokes": [{"kind": "hard", "part": "body", "width": 40, "points": [[900, 840]]},
+                {"kind": "hard", "part": "leg", "width": 40, "points": [[1800, 2000]]}]})");
+  const Outcome outcome =
+      relievo({"segment", "large.png", "--labels", "large-labels.png", "-o", "large.relievo"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("reduced to 1800 x 1200 px, 1/2"), std::string::npos) << outcome.err;
+  const auto project = decode_project(to_bytes(read("large.relievo")));
+  ASSERT_TRUE(project.ok());
+  ASSERT_EQ(project->segmentation->labels.width, 1800);
+  EXPECT_EQ(decode_image(project->drawing.bytes)->width, 1800);
+  for (int y = 0; y < 1200; ++y)
+    for (int x = 0; x < 1800; ++x)
+      ASSERT_EQ(project->segmentation->labels.at(x, y), labels.at(2 * x + 1, 2 * y + 1));
+  for (const std::vector<std::string>& hint :
+       {std::vector<std::string>{"--figure", "large-mask.png"}, {"--scribbles", "strokes.json"}}) {
+    const Outcome hinted =
+        relievo({"segment", "large.png", hint[0], hint[1], "-o", "hinted.relievo"});
+    ASSERT_EQ(hinted.exit_code, 0) << hinted.err;
+    const auto found = decode_project(to_bytes(read("hinted.relievo")));
+    ASSERT_TRUE(found.ok());
+    EXPECT_EQ(found->scene.parts.size(), 2U) << hint[0];
+    EXPECT_NE(found->segmentation->labels.at(900, 1000), 0) << hint[0];
+  }
+}
+
 TEST_F(Segment, AMaskSaysWhatTheFigureIs) {
   Image8 mask(120, 100, 3);
   for (int y = 20; y < 80; ++y)
