@@ -107,8 +107,8 @@ Result<std::vector<ListedDrawing>> read_table(const fs::path& path) {
 /// Checks for the extension of a drawing. Scene files must be named one by one, since other files
 /// end in .json too.
 bool is_drawing(const fs::path& path) {
-  static const std::set<std::string> endings = {".svg",  ".ora",  ".psd",  ".png",
-                                                ".jpg",  ".jpeg", ".gif",  ".webp",
+  static const std::set<std::string> endings = {".svg",  ".ora",  ".psd",  ".kra",    ".procreate",
+                                                ".png",  ".jpg",  ".jpeg", ".gif",    ".webp",
                                                 ".avif", ".heic", ".heif", ".relievo"};
   return endings.count(lower_case(path.extension().string())) > 0;
 }
