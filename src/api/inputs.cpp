@@ -121,7 +121,7 @@ Result<SceneInput> from_layers(Result<understanding::LayeredDrawing> drawing,
   if (!drawing->flat || !drawing->marks.empty())
     if (Status status = understanding::make_parts(*drawing); !status) return status.error();
   if (!drawing->flat) return with_layers(std::move(*drawing), connect);
-  auto loaded = understand_flat(drawing->picture, input.name, connect, context);
+  auto loaded = understand_reduced(reduced(drawing->picture.rgba), input.name, connect, context);
   const bool is_one = !drawing->scene.parts.empty() && (!loaded || loaded->scene.parts.size() < 2);
   if (is_one) return with_layers(std::move(*drawing), connect);
   if (!loaded) return loaded.error();
@@ -214,7 +214,7 @@ Result<SceneInput> load_preview(const InputFile& input, bool connect, const RunC
   for (const ArchiveEntry& entry : *entries) {
     auto picture = decode_reduced(entry.bytes);
     if (!picture || is_blank(picture->rgba)) continue;
-    auto loaded = understand_flat({std::move(picture->rgba)}, input.name, connect, context);
+    auto loaded = understand_reduced(std::move(*picture), input.name, connect, context);
     if (!loaded) return loaded.error();
     const FileKind kind = file_kind(input.bytes);
     loaded->warnings.insert(loaded->warnings.begin(),

@@ -83,13 +83,19 @@ Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, boo
   return loaded;
 }
 
+Result<SceneInput> understand_reduced(ReducedImage picture, const std::string& file, bool connect,
+                                      const RunContext& context) {
+  const std::string note = picture.factor > 1 ? reduction_note(picture) : "";
+  auto loaded = understand_flat({std::move(picture.rgba)}, file, connect, context);
+  if (loaded && !note.empty()) loaded->understood.insert(loaded->understood.begin(), note);
+  return loaded;
+}
+
 Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context) {
   auto picture = decode_reduced(input.bytes);
   if (!picture) return picture.error();
-  const std::string note = picture->factor > 1 ? reduction_note(*picture) : "";
-  auto loaded = understand_flat({std::move(picture->rgba)}, input.name, connect, context);
+  auto loaded = understand_reduced(std::move(*picture), input.name, connect, context);
   if (!loaded) return in_first_frame(loaded.error(), input.bytes);
-  if (!note.empty()) loaded->understood.insert(loaded->understood.begin(), note);
   if (std::string warning = first_frame_warning(input.bytes); !warning.empty())
     loaded->warnings.push_back(std::move(warning));
   return loaded;

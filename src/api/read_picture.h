@@ -19,9 +19,14 @@ std::string reduction_note(const ReducedImage& picture);
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
                                    const RunContext& context);
 
-/// Makes the scene of a picture file (see decode_image) as understand_flat does. Of an animation
-/// the first frame is used, with a warning; a large picture is reduced, which `understood` says.
-/// Errors: as there, and `bad_input` if the file cannot be decoded.
+/// Makes the scene of a picture as understand_flat does, and says in `understood` by how much the
+/// picture was reduced.
+Result<SceneInput> understand_reduced(ReducedImage picture, const std::string& file, bool connect,
+                                      const RunContext& context);
+
+/// Makes the scene of a picture file (see decode_reduced) as understand_reduced does. Of an
+/// animation the first frame is used, with a warning. Errors: as there, and `bad_input` if the file
+/// cannot be decoded.
 Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context);
 
 }  // namespace relievo

@@ -164,6 +164,11 @@ Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
   return decode(bytes, limits, 1);
 }
 
+ReducedImage reduced(Image8 rgba) {
+  const int factor = reduction_factor(rgba.width, rgba.height);
+  return {averaged(std::move(rgba), factor), factor};
+}
+
 Result<ReducedImage> decode_reduced(ByteView bytes, const ImageLimits& limits) {
   const auto size = size_in_header(bytes, limits);
   if (!size && size.error().code == ErrorCode::limit) return size.error();

@@ -18,6 +18,9 @@ struct ReducedImage {
   int factor = 1;  ///< each pixel is the average of so many px a side
 };
 
+/// Reduces a picture (RGBA) by reduction_factor.
+ReducedImage reduced(Image8 rgba);
+
 /// Decodes a picture as decode_image does, and reduces it by reduction_factor meanwhile. PNG
 /// without interlacing and JPEG without progression are never held whole. Errors: as decode_image.
 Result<ReducedImage> decode_reduced(ByteView bytes, const ImageLimits& limits = {});
