@@ -27,8 +27,8 @@ struct ArchiveLimits {
 bool is_archive(ByteView bytes);
 
 /// Unpacks the files of a zip archive in the order of its directory, without folders: those with
-/// one of the names, in an archive of any length, or all. Errors: `bad_input` (damaged, encrypted, a
-/// repeated name or one that leads out of the archive), `limit`.
+/// one of the names, in an archive of any length, or all. Errors: `bad_input` (damaged, encrypted,
+/// a repeated name or one that leads out of the archive), `limit`.
 Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits = {},
                                                  const std::set<std::string>& names = {});
 
