@@ -14,6 +14,15 @@
 namespace relievo::cli {
 namespace {
 
+/// Returns what `decode` makes of the content of a file.
+template <class Decode>
+auto read_as(const std::string& name, Decode decode) -> decltype(decode(Bytes())) {
+  const auto bytes = read_file(name);
+  if (!bytes) return bytes.error();
+  auto content = decode(*bytes);
+  return content ? std::move(content) : in_file(content.error(), name);
+}
+
 template <class T>
 bool has_size_of(const Image<T>& image, const Image8& drawing) {
   return image.width == drawing.width && image.height == drawing.height;
@@ -69,27 +78,20 @@ Error wrong_size(const Image8& drawing, const std::string& name) {
 }
 
 Result<Image16> read_labels(const std::string& name, const ReducedImage& drawing) {
-  const auto bytes = read_file(name);
-  if (!bytes) return bytes.error();
-  auto labels = decode_png_values(*bytes);
-  if (!labels) return in_file(labels.error(), name);
+  auto labels = read_as(name, [](const Bytes& bytes) { return decode_png_values(bytes); });
+  if (!labels) return labels.error();
   return of_same_size(sampled(std::move(*labels), drawing), drawing.rgba, name);
 }
 
 Result<Image8> read_mask(const std::string& name, const ReducedImage& drawing) {
-  const auto bytes = read_file(name);
-  if (!bytes) return bytes.error();
-  auto mask = decode_reduced(*bytes);
-  if (!mask) return in_file(mask.error(), name);
+  auto mask = read_as(name, [](const Bytes& bytes) { return decode_reduced(bytes); });
+  if (!mask) return mask.error();
   return of_same_size(std::move(mask->rgba), drawing.rgba, name);
 }
 
 Result<understanding::Scribbles> read_strokes(const std::string& name,
                                               const ReducedImage& drawing) {
-  const auto bytes = read_file(name);
-  if (!bytes) return bytes.error();
-  auto strokes = strokes_of(*bytes, drawing);
-  return strokes ? std::move(strokes) : in_file(strokes.error(), name);
+  return read_as(name, [&](const Bytes& bytes) { return strokes_of(bytes, drawing); });
 }
 
 }  // namespace relievo::cli

@@ -66,6 +66,7 @@ void fix_size(pugi::xml_node root, double px_width, double px_height) {
   }
 }
 
+/// Collects what pugixml writes.
 struct TextWriter : pugi::xml_writer {
   std::string written;
 

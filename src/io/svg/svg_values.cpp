@@ -119,11 +119,12 @@ std::optional<Color> hex_color(std::string_view digits) {
 /// Returns the colour of a keyword in lower case; nothing for any other text.
 std::optional<Color> keyword_color(std::string_view name) {
   static const std::map<std::string_view, std::string_view> digits = [] {
+    constexpr size_t digit_count = 6;
     std::map<std::string_view, std::string_view> map;
     for (std::string_view rest = color_keywords; !rest.empty();) {
       const size_t gap = rest.find(' ');
-      map.emplace(rest.substr(0, gap), rest.substr(gap + 1, 6));
-      rest.remove_prefix(std::min(rest.size(), gap + 8));
+      map.emplace(rest.substr(0, gap), rest.substr(gap + 1, digit_count));
+      rest.remove_prefix(std::min(rest.size(), gap + digit_count + 2));
     }
     return map;
   }();

@@ -15,7 +15,7 @@ namespace {
 constexpr size_t parts_of_drawing = 4;
 /// Least common area of two parts of which one lies over the other / area of the smaller one.
 constexpr double least_overlap = 0.05;
-/// Least area within lines and between them / area of the lines that make a drawing one of lines.
+/// Least area of traced ink with its holes filled / its own area.
 constexpr double enclosing = 2;
 
 Box2 canvas_of(const Scene& scene) { return {{0, 0}, {scene.width, scene.height}}; }

@@ -5,7 +5,7 @@
 
 namespace relievo::understanding {
 
-/// How far a drawing's painting departs from the marks that were read of it.
+/// The disagreement between a drawing's painting and the marks that were read of it.
 struct PaintGap {
   double bare = 0;   ///< largest share of a mark, or declared part, where nothing is painted
   double loose = 0;  ///< share of the opaque paint that is in no mark

@@ -155,8 +155,8 @@ std::string note_on(const Mark& mark, MarkRole role) {
 /// Finds the roles of marks in paint order, one after the other, each among marks that have none
 /// yet. Only shapes can become parts. The other roles are:
 ///  - background: a rectangle, the first mark or on other backgrounds, that reaches at least three
-///    sides of the canvas, or all four where nothing else is drawn; or a disc, square or rounded
-///    tile next to these, with one figure before it that stays inside;
+///    sides of the canvas, or all four where nothing else is drawn; likewise a disc, square or
+///    rounded tile, with one figure before it that stays inside;
 ///  - shadow: flat, at the lower end, on background alone, and translucent, blurred or a dark
 ///    ellipse;
 ///  - ink: a stroke or fill as thin as a line; or dark, visible no wider than a thick pen, along or
@@ -217,11 +217,12 @@ class RoleFinder {
     if (convexity(tile) < tile_convexity) return false;
     std::vector<Region> later;
     for (size_t j = i + 1; j < marks_.size(); ++j) later.push_back(marks_[j].region);
-    const std::vector<Region> before = pieces(unite(later));
-    if (before.empty() || area(before[0]) < figure_share * area(tile)) return false;
-    if (area(before[0]) < one_figure * area(unite(later))) return false;
-    return convexity(without_holes(before[0])) < figure_convexity &&
-           subtract(before[0], grow(tile, -rim_thickness * boxes_[i].diagonal())).empty();
+    const Region before = unite(later);
+    if (before.empty()) return false;
+    const Region figure = pieces(before).front();
+    if (area(figure) < std::max(figure_share * area(tile), one_figure * area(before))) return false;
+    return convexity(without_holes(figure)) < figure_convexity &&
+           subtract(figure, grow(tile, -rim_thickness * boxes_[i].diagonal())).empty();
   }
 
   /// Returns the area of all shapes of a range that are near.
