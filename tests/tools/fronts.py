@@ -1,0 +1,155 @@
+"""Fronts of models (GLB), and how far they are from paintings of the same drawing."""
+
+import io
+import json
+import struct
+
+import numpy as np
+from PIL import Image, ImageChops, ImageDraw, ImageFilter
+
+# Longest side of the pictures that are compared, px.
+SIDE = 200
+# Alpha of 255 up to which nothing is painted, and from which on something is.
+UNPAINTED = 16
+PAINTED = 128
+# Difference of a channel that a person sees side by side, of 255.
+TELLING = 48
+# Difference of a channel within the ground, of 255.
+SAME_GROUND = 24
+# Reach of the tolerance at edges, px.
+EDGE = 2
+
+COMPONENTS = {5121: np.uint8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+
+
+def read_glb(file):
+    """Returns the description and the binary part of a model."""
+    data = file.read_bytes()
+    length = struct.unpack_from("<I", data, 12)[0]
+    return json.loads(data[20 : 20 + length]), data[20 + length + 8 :]
+
+
+def view_of(model, binary, index):
+    view = model["bufferViews"][index]
+    begin = view.get("byteOffset", 0)
+    return binary[begin : begin + view["byteLength"]]
+
+
+def numbers_of(model, binary, index):
+    """Returns an accessor as an array of rows."""
+    accessor = model["accessors"][index]
+    data = view_of(model, binary, accessor["bufferView"])
+    kind = np.dtype(COMPONENTS[accessor["componentType"]])
+    width = WIDTHS[accessor["type"]]
+    stride = model["bufferViews"][accessor["bufferView"]].get("byteStride", width * kind.itemsize)
+    shape = (accessor["count"], width)
+    begin = accessor.get("byteOffset", 0)
+    return np.ndarray(shape, kind, data, begin, (stride, kind.itemsize))
+
+
+def front_of(file):
+    """Returns the unlit front of a model in the frame of its drawing, RGBA, SIDE px wide or high."""
+    model, binary = read_glb(file)
+    image = model["images"][0]
+    texture = Image.open(io.BytesIO(view_of(model, binary, image["bufferView"]))).convert("RGBA")
+    scale = SIDE / max(texture.size)
+    size = tuple(max(1, round(side * scale)) for side in texture.size)
+    silhouette = Image.new("L", size, 0)
+    draw = ImageDraw.Draw(silhouette)
+    for mesh in model["meshes"]:
+        for primitive in mesh["primitives"]:
+            places = numbers_of(model, binary, primitive["attributes"]["TEXCOORD_0"])
+            corners = (places * size - 0.5)[numbers_of(model, binary, primitive["indices"])]
+            for triangle in corners.reshape(-1, 6).tolist():
+                draw.polygon(triangle, fill=255)
+    front = texture.convert("RGB").resize(size, Image.Resampling.BOX)
+    front.putalpha(silhouette)
+    return front
+
+
+def outlines_of(scene):
+    """Returns the outlines of a scene's parts as front_of does, without colours."""
+    stated = json.loads(scene.read_text())
+    canvas = stated["canvas"]["width"], stated["canvas"]["height"]
+    scale = SIDE / max(canvas)
+    size = tuple(max(1, round(side * scale)) for side in canvas)
+    covered = Image.new("L", size, 0)
+    for part in stated["parts"]:
+        one = Image.new("L", size, 0)
+        for ring in part["outline"]:
+            filled = Image.new("L", size, 0)
+            places = [(x * scale - 0.5, y * scale - 0.5) for x, y in ring]
+            ImageDraw.Draw(filled).polygon(places, fill=255)
+            one = ImageChops.difference(one, filled)
+        covered = ImageChops.lighter(covered, one)
+    return Image.merge("RGBA", [Image.new("L", size, 128)] * 3 + [covered])
+
+
+def grown(mask, reach):
+    """Returns a mask with all that is within `reach` px of it, along both axes."""
+    picture = Image.fromarray(mask.astype(np.uint8) * 255)
+    return np.asarray(picture.filter(ImageFilter.MaxFilter(2 * reach + 1))) > 0
+
+
+def reached(mask, seeds):
+    """Returns the part of a mask that is connected to the seeds."""
+    found = mask & seeds
+    while True:
+        wider = grown(found, 1) & mask
+        if (wider == found).all():
+            return found
+        found = wider
+
+
+def rim_of(shape):
+    rim = np.ones(shape, bool)
+    rim[1:-1, 1:-1] = False
+    return rim
+
+
+def is_ground(paint, uncovered):
+    """Returns where uncovered paint is ground: it reaches the edge, or looks as what does."""
+    ground = reached(uncovered, rim_of(uncovered.shape))
+    if not ground.any():
+        return ground
+    colour = np.median(paint[ground][:, :3], axis=0)
+    alike = (np.abs(paint[:, :, :3] - colour) <= SAME_GROUND).all(axis=2)
+    return ground | (uncovered & alike)
+
+
+def flat_colours(picture):
+    """Returns the blurred colours of a picture."""
+    soft = picture.convert("RGB").filter(ImageFilter.BoxBlur(1))
+    return np.asarray(soft).astype(int)
+
+
+def over_white(picture):
+    ground = Image.new("RGBA", picture.size, "white")
+    return Image.alpha_composite(ground, picture)
+
+
+def compare(painting, front, colours=True):
+    """Returns the shares by which a front differs from a painting of the same size, both RGBA.
+
+    `colours` says whether the front has any.
+    """
+    paint = np.asarray(painting).astype(int)
+    covered = np.asarray(front)[:, :, 3] > 0
+    painted = paint[:, :, 3] >= PAINTED
+    touched = paint[:, :, 3] > UNPAINTED
+    uncovered = painted & ~covered
+    ground = is_ground(paint, uncovered)
+    loose = uncovered & ~ground & ~grown(covered, EDGE)
+    bare = covered & ~grown(touched, EDGE)
+    around = reached(~touched, rim_of(touched.shape))
+    both = ~grown(~(covered & painted), 1)
+    gap = np.abs(flat_colours(over_white(painting)) - flat_colours(front)).max(axis=2)
+    area = max(1, int((covered | (painted & ~ground)).sum()))
+    return {
+        "bare": (bare & around).sum() / area,
+        "loose": loose.sum() / area,
+        "colour": (both & (gap > TELLING)).sum() / area if colours else 0,
+        "filled": (bare & ~around).sum() / area,
+        "ground": ground.sum() / ground.size,
+    }
