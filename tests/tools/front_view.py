@@ -1,11 +1,12 @@
 """Compares the fronts of models with the pictures that other programs paint of the same files.
 
-Usage: front_view.py PROGRAM FILES TABLE [--sheets FOLDER] [--limit SECONDS] [--outlines]
+Usage: front_view.py PROGRAM FILES TABLE [--sheets FOLDER] [--limit SECONDS] [--colours]
 
-FILES is a text of lines `KIND<tab>FILE`. Builds a model of every file with PROGRAM (relievo), and
+FILES is a text of lines `KIND<tab>FILE`. Finds the parts of every file with PROGRAM (relievo), and
 paints the file anew: an SVG with Chromium, a painting of layers from the merged picture that it
-holds (read by psd-tools), any other picture with Pillow. Writes TABLE, tab-separated, one line for every file, and
-prints the distribution by kind. Shares are of the area of the model and the painted figure:
+holds (read by psd-tools), any other picture with Pillow. Writes TABLE, tab-separated, one line for
+every file, and prints the distribution by kind. Shares are of the area of the model and the painted
+figure:
 
 bare     of the model, beside all paint
 loose    of the paint that is in no part and is not ground
@@ -13,8 +14,8 @@ colour   where both are, in colours that a person tells apart
 filled   of the model, where nothing is painted but paint is all around, as in a drawing of lines
 ground   of the canvas: paint in no part that reaches the edge of the picture, or looks as it does
 
-With --outlines, compares the outlines of the parts that `relievo check` finds, without colours,
-which is several times as quick. Needs Pillow, NumPy, psd-tools and `chromium`.
+Colours are compared with --colours, which builds the models and takes several times as long. Needs
+Pillow, NumPy, psd-tools and `chromium`.
 """
 
 import argparse
@@ -49,18 +50,22 @@ def run(program, words, limit):
 
 def examine(kind, file, painter, folder, given):
     """Returns the row of a file, and the painting and the front that were compared."""
-    result = folder / ("scene.json" if given.outlines else "model.glb")
-    result.unlink(missing_ok=True)
-    command = ["check"] if given.outlines else ["build", "--vertices", "1500"]
-    code, said = run(given.program, [*command, file, "-o", result], given.limit)
+    scene, model = folder / "scene.json", folder / "model.glb"
+    commands = [["check", file, "-o", scene]]
+    if given.colours:
+        commands.append(["build", file, "-o", model, "--vertices", "1500"])
+    for command in commands:
+        code, said = run(given.program, command, given.limit)
+        if code != 0:
+            break
     row = dict.fromkeys(COLUMNS, "") | {"kind": kind, "file": file, "exit": code, "messages": said}
     if code != 0:
         return row, None
-    front = fronts.outlines_of(result) if given.outlines else fronts.front_of(result)
+    front = fronts.front_of(scene, model if given.colours else None)
     painting = painter.paint(file, front.size)
     if painting is None:
         return row | {"bare": UNPAINTED}, None
-    shares = fronts.compare(painting, front, colours=not given.outlines)
+    shares = fronts.compare(painting, front, given.colours)
     return row | {name: f"{shares[name]:.4f}" for name in SHARES}, (painting, front)
 
 
@@ -109,7 +114,7 @@ def main():
     words.add_argument("table", type=pathlib.Path)
     words.add_argument("--sheets", type=pathlib.Path, help="folder for pictures of what differs")
     words.add_argument("--limit", type=float, default=20, help="seconds a file may take")
-    words.add_argument("--outlines", action="store_true", help="compare outlines alone")
+    words.add_argument("--colours", action="store_true", help="compare colours too")
     given = words.parse_args()
     if given.sheets:
         given.sheets.mkdir(parents=True, exist_ok=True)

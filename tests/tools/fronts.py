@@ -19,63 +19,20 @@ SAME_GROUND = 24
 # Reach of the tolerance at edges, px.
 EDGE = 2
 
-COMPONENTS = {5121: np.uint8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
-WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
-
-def read_glb(file):
-    """Returns the description and the binary part of a model."""
-    data = file.read_bytes()
+def texture_of(model):
+    """Returns the texture of a model (GLB)."""
+    data = model.read_bytes()
     length = struct.unpack_from("<I", data, 12)[0]
-    return json.loads(data[20 : 20 + length]), data[20 + length + 8 :]
-
-
-def view_of(model, binary, index):
-    view = model["bufferViews"][index]
+    stated, binary = json.loads(data[20 : 20 + length]), data[28 + length :]
+    view = stated["bufferViews"][stated["images"][0]["bufferView"]]
     begin = view.get("byteOffset", 0)
-    return binary[begin : begin + view["byteLength"]]
+    return Image.open(io.BytesIO(binary[begin : begin + view["byteLength"]])).convert("RGB")
 
 
-def numbers_of(model, binary, index):
-    """Returns an accessor as an array of rows."""
-    accessor = model["accessors"][index]
-    data = view_of(model, binary, accessor["bufferView"])
-    kind = np.dtype(COMPONENTS[accessor["componentType"]])
-    width = WIDTHS[accessor["type"]]
-    stride = model["bufferViews"][accessor["bufferView"]].get("byteStride", width * kind.itemsize)
-    shape = (accessor["count"], width)
-    begin = accessor.get("byteOffset", 0)
-    return np.ndarray(shape, kind, data, begin, (stride, kind.itemsize))
-
-
-def front_of(file):
-    """Returns the unlit front of a model in the frame of its drawing, RGBA, SIDE px wide or high."""
-    model, binary = read_glb(file)
-    image = model["images"][0]
-    texture = Image.open(io.BytesIO(view_of(model, binary, image["bufferView"]))).convert("RGBA")
-    scale = SIDE / max(texture.size)
-    size = tuple(max(1, round(side * scale)) for side in texture.size)
-    silhouette = Image.new("L", size, 0)
-    draw = ImageDraw.Draw(silhouette)
-    for mesh in model["meshes"]:
-        for primitive in mesh["primitives"]:
-            places = numbers_of(model, binary, primitive["attributes"]["TEXCOORD_0"])
-            corners = (places * size - 0.5)[numbers_of(model, binary, primitive["indices"])]
-            for triangle in corners.reshape(-1, 6).tolist():
-                draw.polygon(triangle, fill=255)
-    front = texture.convert("RGB").resize(size, Image.Resampling.BOX)
-    front.putalpha(silhouette)
-    return front
-
-
-def outlines_of(scene):
-    """Returns the outlines of a scene's parts as front_of does, without colours."""
-    stated = json.loads(scene.read_text())
-    canvas = stated["canvas"]["width"], stated["canvas"]["height"]
-    scale = SIDE / max(canvas)
-    size = tuple(max(1, round(side * scale)) for side in canvas)
+def silhouette_of(parts, scale, size):
     covered = Image.new("L", size, 0)
-    for part in stated["parts"]:
+    for part in parts:
         one = Image.new("L", size, 0)
         for ring in part["outline"]:
             filled = Image.new("L", size, 0)
@@ -83,7 +40,25 @@ def outlines_of(scene):
             ImageDraw.Draw(filled).polygon(places, fill=255)
             one = ImageChops.difference(one, filled)
         covered = ImageChops.lighter(covered, one)
-    return Image.merge("RGBA", [Image.new("L", size, 128)] * 3 + [covered])
+    return covered
+
+
+def front_of(scene, model=None):
+    """Returns the front of a model, RGBA, its longest side SIDE px: the outlines of the scene's
+    parts, filled with the texture of the model, or with grey where none is given.
+    """
+    stated = json.loads(scene.read_text())
+    width, height = stated["canvas"]["width"], stated["canvas"]["height"]
+    scale = SIDE / max(width, height)
+    size = max(1, round(width * scale)), max(1, round(height * scale))
+    front = Image.new("RGB", size, (128, 128, 128))
+    if model:
+        # What nobody sees from the front lies below the drawing.
+        texture = texture_of(model)
+        drawing = 0, 0, texture.width, round(texture.width * height / width)
+        front = texture.resize(size, Image.Resampling.BOX, box=drawing)
+    front.putalpha(silhouette_of(stated["parts"], scale, size))
+    return front
 
 
 def grown(mask, reach):

@@ -5,7 +5,6 @@ import gzip
 import io
 import json
 import os
-import pathlib
 import re
 import subprocess
 import tempfile
@@ -94,8 +93,6 @@ class Browser:
             deviceScaleFactor=1,
             mobile=False,
         )
-        file = pathlib.Path(self.home.name, "drawing.svg")
-        file.write_bytes(svg)
         shown = self.call(
             "Runtime.evaluate",
             awaitPromise=True,
@@ -104,7 +101,7 @@ class Browser:
                 document.documentElement.innerHTML = "<body style='margin:0'></body>";
                 const image = new Image();
                 image.style = "display:block;width:{width}px;height:{height}px";
-                image.src = {json.dumps("data:image/svg+xml;base64," + base64.b64encode(svg).decode())};
+                image.src = "data:image/svg+xml;base64,{base64.b64encode(svg).decode()}";
                 document.body.append(image);
                 try {{ await image.decode(); }} catch (_) {{ return null; }}
                 return [image.naturalWidth, image.naturalHeight];
@@ -166,6 +163,7 @@ class Painter:
             self.browser = self.browser or Browser()
             return self.browser.paint(data, size)
         try:
-            return fitted(Image.open(file) if file.suffix in PICTURES else merged_picture(file), size)
+            picture = Image.open(file) if file.suffix in PICTURES else merged_picture(file)
+            return fitted(picture, size)
         except Exception:  # of the many that readers of damaged files raise
             return None
