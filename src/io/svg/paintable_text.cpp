@@ -34,11 +34,13 @@ bool is_harmless(const pugi::xml_node& element) {
   return name != "image" || embedded_size(element).ok();
 }
 
+/// Renderers believe what a picture's reference says of its type, so that is made true.
 void remove_harmful(pugi::xml_node parent) {
   for (pugi::xml_node child = parent.first_child(); child;) {
     const pugi::xml_node next = child.next_sibling();
     if (child.type() == pugi::node_element) {
       if (is_harmless(child)) {
+        if (local_name(child.name()) == "image") state_media_type(child);
         remove_harmful(child);
       } else {
         parent.remove_child(child);

@@ -1,6 +1,7 @@
 #include "io/svg/svg_picture.h"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -39,17 +40,26 @@ Bytes decoded_base64(std::string_view text) {
   return bytes;
 }
 
+pugi::xml_attribute href_of(const pugi::xml_node& image) {
+  for (const pugi::xml_attribute& attribute : image.attributes())
+    if (local_name(attribute.name()) == "href") return attribute;
+  return {};
+}
+
 /// Returns the base64 text of a data: reference; empty where it is none.
 std::string_view embedded_text(const pugi::xml_node& image) {
-  for (const pugi::xml_attribute& attribute : image.attributes()) {
-    if (local_name(attribute.name()) != "href") continue;
-    const std::string_view href = trimmed_svg(attribute.value());
-    const size_t comma = href.find(',');
-    if (!href.starts_with("data:") || comma == std::string_view::npos) return {};
-    if (!href.substr(0, comma).ends_with(";base64")) return {};
-    return href.substr(comma + 1);
-  }
-  return {};
+  const std::string_view href = trimmed_svg(href_of(image).value());
+  const size_t comma = href.find(',');
+  if (!href.starts_with("data:") || comma == std::string_view::npos) return {};
+  if (!href.substr(0, comma).ends_with(";base64")) return {};
+  return href.substr(comma + 1);
+}
+
+/// Returns the first bytes of the embedded file, which hold its size: the header of a JPEG file may
+/// follow a thumbnail, that of a PNG file is at its front.
+Bytes front_of(const pugi::xml_node& image) {
+  constexpr size_t front = size_t{1} << 18;
+  return decoded_base64(embedded_text(image).substr(0, front));
 }
 
 Result<ImageSize> size_of(ByteView bytes) {
@@ -66,10 +76,14 @@ SvgPicture rectangle(ImageSize size) {
 
 }  // namespace
 
-Result<ImageSize> embedded_size(const pugi::xml_node& image) {
-  // The header of a JPEG file may follow a thumbnail, that of a PNG file is at its front.
-  constexpr size_t front = size_t{1} << 18;
-  return size_of(decoded_base64(embedded_text(image).substr(0, front)));
+Result<ImageSize> embedded_size(const pugi::xml_node& image) { return size_of(front_of(image)); }
+
+void state_media_type(pugi::xml_node image) {
+  const std::string stated =
+      is_png(front_of(image)) ? "data:image/png;base64," : "data:image/jpeg;base64,";
+  pugi::xml_attribute href = href_of(image);
+  if (trimmed_svg(href.value()).starts_with(stated)) return;
+  href.set_value((stated + std::string(embedded_text(image))).c_str());
 }
 
 Result<SvgPicture> embedded_picture(const pugi::xml_node& image) {

@@ -30,6 +30,10 @@ constexpr int64_t max_picture_pixels = 100'000'000;
 /// header alone. Errors: `bad_input` where it embeds none, `limit`.
 Result<ImageSize> embedded_size(const pugi::xml_node& image);
 
+/// Makes the reference of an <image> state the type that its embedded file has. Precondition:
+/// embedded_size succeeds.
+void state_media_type(pugi::xml_node image);
+
 /// Reads the picture that the <image> embeds. A JPEG picture is opaque, so its pixels are not
 /// looked at. Errors: as embedded_size, and `bad_input` where the picture is damaged. O(pixels).
 Result<SvgPicture> embedded_picture(const pugi::xml_node& image);

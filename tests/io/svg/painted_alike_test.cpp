@@ -76,6 +76,11 @@ const std::string half_picture =
     "AOW3MEoAAAAjSURBVHja7ckxAQAACAOgNbB/Wn3XQXhJymyJMcYYY4x5PAfHurFprvSj9QAAAABJRU5E"
     "rkJggg==";
 
+/// The same without a type, and with the type of another file.
+std::string half_picture_as(const std::string& type) {
+  return "data:" + type + half_picture.substr(half_picture.find(";base64,"));
+}
+
 /// Content of a group or element; `@` stands for what is said of the element.
 const std::vector<std::string> contents = {
     "<rect x='120' y='90' width='130' height='80' @/>",
@@ -87,6 +92,12 @@ const std::vector<std::string> contents = {
     "<image x='90' y='110' width='200' height='100' href='" + half_picture + "' @/>",
     "<polygon points='120,100 280,130 220,250 110,230' stroke='#123' stroke-width='14' @/>",
 };
+
+TEST(PaintedAlike, PicturesWhoseTypeIsNotStatedOrWrong) {
+  for (const char* type : {"", "image/jpg", "image/jpeg", "application/octet-stream"})
+    expect_alike("<image x='90' y='110' width='200' height='100' href='" + half_picture_as(type) +
+                 "'/>");
+}
 
 /// Transforms as declarations of CSS.
 const std::vector<std::string> transforms = {
