@@ -42,8 +42,9 @@ understanding::Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, do
   mark.group = shape.group;
   mark.blurred = shape.blurred;
   mark.pen_width = shape.pen.width;
-  mark.filled = is_visible(shape.fill, least);
   const bool stroked = is_visible(shape.stroke, least);
+  // A line around the faintest paint makes a body of it.
+  mark.filled = is_visible(shape.fill, stroked ? faint_alpha : least);
   const Region stroke = stroked ? stroke_of(shape, drawing) : Region();
   if (mark.filled) {
     mark.color = *shape.fill;

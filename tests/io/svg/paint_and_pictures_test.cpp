@@ -51,6 +51,19 @@ TEST(SvgPaint, DeclaredPartsDoNotGrowByTheirShades) {
   EXPECT_NEAR(area(parts.scene.parts[0].outline), 250'000, 1);
 }
 
+TEST(SvgPaint, ALineAroundTheFaintestPaintMakesABodyOfIt) {
+  const std::string glass =
+      "<rect id='glass' x='200' y='200' width='500' height='500' fill='#39c' "
+      "stroke='#123' stroke-width='10' fill-opacity='";
+  const auto marks_of = [&](const std::string& opacity) {
+    return read_svg(svg_file(glass + opacity + "'/>"))->marks;
+  };
+  ASSERT_EQ(marks_of("0.2").size(), 1u);
+  EXPECT_TRUE(marks_of("0.2")[0].filled);
+  EXPECT_NEAR(area(marks_of("0.2")[0].region), 510 * 510, 1);
+  EXPECT_FALSE(marks_of("0")[0].filled) << "a line alone";
+}
+
 /// Pictures of 40 x 40 px: one opaque all over, and one with an opaque square of 20 px in it.
 const std::string opaque_picture =
     "data:image/png;base64,"
