@@ -77,6 +77,7 @@ void read_block(std::string_view key, ByteView block, PsdLayer& layer) {
   if (key == "iOpa") layer.opacity *= data.u8() / 255.0;
   layer.adjusts |= is_adjustment(key);
   layer.has_effects |= key == "lfx2" || key == "lrFX" || key == "lmfx";
+  layer.is_artboard |= key == "artb" || key == "artd" || key == "abdd";
   if (key == "SoCo") layer.solid_fill = block;
   if (key == "vmsk" || key == "vsms") layer.vector_mask = block;
 }

@@ -42,6 +42,7 @@ struct PsdLayer {
   bool clipped = false;      ///< to the next layer below that is not clipped
   bool adjusts = false;      ///< it has no pixels but changes what is below
   bool has_effects = false;  ///< shadows, strokes and the like around it
+  bool is_artboard = false;  ///< a group that may have a ground of its own
   ByteView solid_fill;       ///< block of a fill with one colour; empty: none
   ByteView vector_mask;      ///< block of a vector mask; empty: none
 };

@@ -180,6 +180,7 @@ class StructureReader {
     if (record.adjusts && record.box.empty() && !painted)
       notes.insert(name + "it adjusts or fills, and is left out");
     found_.is_sure &= notes.empty();
+    if (record.is_artboard) notes.insert(name + "the ground of an artboard is left out");
     found_.notes.merge(notes);
   }
 

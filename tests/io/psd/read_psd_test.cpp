@@ -212,6 +212,18 @@ TEST(ReadPsdLayers, TakesTheMergedPictureOnlyWhereItLeavesSomethingOut) {
   EXPECT_TRUE(psd->flat);
 }
 
+TEST(ReadPsdLayers, SaysThatAnArtboardsGroundIsLeftOut) {
+  PsdSpec spec = two_squares();
+  spec.layers.insert(spec.layers.begin(), divider("", 3));
+  spec.layers.push_back(divider("Artboard 1", 1));
+  spec.layers.back().blocks = {{"artb", {0, 0, 0, 16}}};
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_EQ(psd->marks.size(), 2U);
+  ASSERT_EQ(psd->warnings.size(), 1U);
+  EXPECT_NE(psd->warnings[0].find("Artboard 1"), std::string::npos);
+}
+
 TEST(ReadPsdLayers, TakesWhiteOutOfAMergedPictureWithTransparency) {
   PsdSpec spec = two_squares();
   spec.merged_alpha = true;
