@@ -1,9 +1,11 @@
 #include "api/inputs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "api/read_picture.h"
 #include "io/archive/zip_archive.h"
@@ -38,10 +40,11 @@ constexpr double flat_picture_side = 1600;
 
 /// Longest side of the painting that is compared with the shapes that were read, px, and the
 /// largest shares of a shape without paint and of the paint in no shape. Drawings that are read
-/// well stay below a tenth and below half of these.
+/// well stay below a tenth and below half of these. A person sees the third share missing.
 constexpr double compared_side = 400;
 constexpr double most_bare = 0.03;
 constexpr double most_loose = 0.1;
+constexpr double seen_loose = 0.02;
 
 /// Finds the parts in the picture of a vector drawing, as in a flat drawing. Adds a warning that
 /// gives the reason.
@@ -69,13 +72,55 @@ SceneInput with_layers(understanding::LayeredDrawing&& drawing, bool connect) {
   return loaded;
 }
 
-/// Returns whether the shapes that were read of a drawing are not those that are painted. A
-/// drawing that cannot be painted fails elsewhere.
-bool departs_from_paint(const understanding::LayeredDrawing& drawing) {
-  const auto painting = rasterize(drawing.paintable, compared_side);
-  if (!painting) return false;
-  const understanding::PaintGap gap = understanding::find_paint_gap(drawing, painting->rgba);
+/// Returns whether the shapes that were read of a drawing are not those that are painted.
+bool departs_from_paint(const understanding::LayeredDrawing& drawing, const Image8& painting) {
+  const understanding::PaintGap gap = understanding::find_paint_gap(drawing, painting);
   return gap.bare > most_bare || gap.loose > most_loose;
+}
+
+/// Returns why the parts of a vector drawing come from its picture, null where its shapes are to be
+/// taken. `made` says whether shapes made parts.
+const char* why_painted(const understanding::LayeredDrawing& drawing, bool made,
+                        bool painted_otherwise) {
+  if (!made)
+    return "no shape of the drawing makes a part: its parts are found as in a flat drawing; "
+           "relievo segment can correct them";
+  if (drawing.line_art)
+    return "the drawing is made of lines: its parts are the areas that they enclose; relievo "
+           "segment can correct them";
+  if (drawing.proposed && painted_otherwise)
+    return "the shapes that were read are not those that are painted: the parts are found as in a "
+           "flat drawing; relievo segment can correct them";
+  return nullptr;
+}
+
+/// Returns the share of the paint that is in no part of the scene and is not left out with a word.
+double loose_paint(const Scene& scene, const Region& left_out, const Image8& painting) {
+  understanding::LayeredDrawing drawing;
+  drawing.scene = scene;
+  drawing.left_out = left_out;
+  return understanding::find_paint_gap(drawing, painting).loose;
+}
+
+/// Warns of paint that is missing in the model, with what to do about it.
+void warn_of_loose(double loose, const char* remedy, std::vector<std::string>& warnings) {
+  if (loose > seen_loose)
+    warnings.push_back(std::to_string(std::lround(100 * loose)) +
+                       " % of the drawing is in no part and missing in the model: " + remedy);
+}
+
+/// Finds the parts in the picture of a drawing whose shapes leave `loose` of its painting in no
+/// part. Returns nothing where none are found, or where they leave much more.
+std::optional<SceneInput> see_parts(const InputFile& input,
+                                    const understanding::LayeredDrawing& read, double loose,
+                                    const Image8& painting, const char* reason, bool connect,
+                                    const RunContext& context) {
+  auto seen = understand_painting(input, read.paintable, reason, connect, context);
+  if (!seen || seen->scene.parts.empty()) return std::nullopt;
+  const double missed = loose_paint(seen->scene, read.left_out, painting);
+  if (missed > loose + most_loose) return std::nullopt;
+  warn_of_loose(missed, "mark its parts with relievo segment", seen->warnings);
+  return std::move(*seen);
 }
 
 Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunContext& context) {
@@ -87,22 +132,27 @@ Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunConte
         "the drawing is a picture: its parts are found as in a flat drawing; relievo segment can "
         "correct them",
         connect, context);
-  const bool painted_otherwise = departs_from_paint(*read);
-  if (Status status = understanding::make_parts(*read); !status) return status.error();
-  if (read->line_art || (read->proposed && painted_otherwise)) {
-    auto seen = understand_painting(
-        input, read->paintable,
-        read->line_art ? "the drawing is made of lines: its parts are the areas that they enclose; "
-                         "relievo segment can correct them"
-                       : "the shapes that were read are not those that are painted: the parts are "
-                         "found as in a flat drawing; relievo segment can correct them",
-        connect, context);
-    if (seen && !seen->scene.parts.empty()) return seen;
+  const auto painting = rasterize(read->paintable, compared_side);
+  if (!painting) return painting.error();
+  const bool painted_otherwise = departs_from_paint(*read, painting->rgba);
+  const bool declared = read->marks.empty() && !read->scene.parts.empty();
+  const Status made = understanding::make_parts(*read);
+  if (!made && made.error().code != ErrorCode::bad_input) return made.error();
+  const double loose = made ? loose_paint(read->scene, read->left_out, painting->rgba) : 1;
+  if (const char* reason = why_painted(*read, made.ok(), painted_otherwise)) {
+    auto seen = see_parts(input, *read, loose, painting->rgba, reason, connect, context);
+    if (seen) return std::move(*seen);
   }
+  if (!made) return made.error();
   if (painted_otherwise)
     read->warnings.emplace_back(
         "some parts are not painted as they were read: look at the model; if it is wrong, save the "
         "drawing as PNG and open that");
+  else if (!declared)
+    warn_of_loose(loose,
+                  "convert texts, patterns and effects to paths, or save the drawing as PNG and "
+                  "open that",
+                  read->warnings);
   auto rendering = std::async(
       worker_count() > 1 ? std::launch::async : std::launch::deferred,
       [svg = std::move(read->paintable)] { return rasterize(svg, vector_texture_side); });

@@ -45,6 +45,7 @@ struct LayeredDrawing {
   /// The marks of each Inkscape layer, where the scene's parts are the layers but the file does not
   /// declare them as parts: a layer may hold several parts.
   std::vector<std::vector<Mark>> layers;
+  Region left_out;  ///< background, shadows and motion lines that make_parts left out and named
   std::vector<Point2> anchors;  ///< ends of the curves of filled paths, canvas px
   Drawing picture;              ///< of layers of pixels, as large as the canvas
   PaintableSvg paintable;       ///< of a vector drawing

@@ -62,10 +62,11 @@ Status propose(LayeredDrawing& drawing, size_t max_marks) {
   drawing.line_art =
       !drawing.marks.empty() && std::none_of(drawing.marks.begin(), drawing.marks.end(),
                                              [](const Mark& mark) { return mark.filled; });
-  const SilhouetteList silhouettes =
-      group_silhouettes(std::move(drawing.marks), canvas_of(drawing.scene));
+  SilhouetteList silhouettes =
+      group_silhouettes(std::exchange(drawing.marks, {}), canvas_of(drawing.scene));
   drawing.line_art |= is_traced_ink(silhouettes);
   drawing.scene.parts = propose_parts(silhouettes, drawing.colors);
+  drawing.left_out = std::move(silhouettes.left_out);
   drawing.proposed = true;
   drawing.flat = silhouettes.silhouettes.size() < 2 && shows_something(drawing.picture.rgba);
   drawing.warnings.insert(drawing.warnings.end(), silhouettes.notes.begin(),

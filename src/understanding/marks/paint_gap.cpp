@@ -37,14 +37,22 @@ double cover(const Region& region, double least_pixels, Comparison& comparison) 
   return count > 0 && count >= least_pixels ? static_cast<double>(bare) / count : 0;
 }
 
+/// Returns whether some pixel at most one away is covered: outlines may fall between pixels.
+bool is_near_covered(const Image8& covered, int x, int y) {
+  for (int v = std::max(0, y - 1); v <= std::min(covered.height - 1, y + 1); ++v)
+    for (int u = std::max(0, x - 1); u <= std::min(covered.width - 1, x + 1); ++u)
+      if (covered.at(u, v) != 0) return true;
+  return false;
+}
+
 double loose_share(const Comparison& comparison) {
   int64_t all = 0;
   int64_t loose = 0;
   for (int y = 0; y < comparison.painting.height; ++y) {
     for (int x = 0; x < comparison.painting.width; ++x) {
-      if (comparison.painting.at(x, y, 3) < opaque) continue;
-      ++all;
-      loose += comparison.covered.at(x, y) == 0 ? 1 : 0;
+      const bool painted = comparison.painting.at(x, y, 3) >= opaque;
+      all += painted || comparison.covered.at(x, y) != 0 ? 1 : 0;
+      if (painted) loose += is_near_covered(comparison.covered, x, y) ? 0 : 1;
     }
   }
   return all > 0 ? static_cast<double>(loose) / static_cast<double>(all) : 0;
@@ -65,6 +73,7 @@ PaintGap find_paint_gap(const LayeredDrawing& drawing, const Image8& painting) {
   }
   for (const Part& part : drawing.scene.parts)
     gap.bare = std::max(gap.bare, cover(part.outline, least, comparison));
+  cover(drawing.left_out, least, comparison);
   gap.loose = loose_share(comparison);
   return gap;
 }

@@ -363,9 +363,12 @@ SilhouetteList group_silhouettes(std::vector<Mark> marks, const Box2& canvas) {
   SilhouetteList list;
   std::vector<Region> all;
   std::vector<Region> ink;
+  std::vector<Region> left_out;
   for (size_t i = 0; i < marks.size(); ++i) {
     if (is_left_out(roles[i])) {
-      if (roles[i] != MarkRole::paint) list.notes.push_back(note_on(marks[i], roles[i]));
+      if (roles[i] == MarkRole::paint) continue;
+      list.notes.push_back(note_on(marks[i], roles[i]));
+      left_out.push_back(marks[i].region);
       continue;
     }
     all.push_back(marks[i].region);
@@ -373,6 +376,7 @@ SilhouetteList group_silhouettes(std::vector<Mark> marks, const Box2& canvas) {
   }
   list.covered = unite(all);
   list.ink = unite(ink);
+  list.left_out = unite(left_out);
   list.diagonal = bounding_box(list.covered).diagonal();
   for (size_t i = 0; i < marks.size(); ++i) {
     Mark& mark = marks[i];

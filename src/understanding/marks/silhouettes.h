@@ -22,6 +22,7 @@ struct SilhouetteList {
   std::vector<Silhouette> silhouettes;  ///< in paint order of their first marks
   Region covered;                       ///< all marks together, lines included
   Region ink;                           ///< lines, shades and highlights
+  Region left_out;                      ///< the marks that the notes are on
   double diagonal = 0;                  ///< of the box around `covered`, px
   std::vector<std::string> notes;       ///< on marks that are left out, a sentence each
 };
