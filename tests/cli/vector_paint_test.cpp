@@ -38,8 +38,7 @@ TEST_F(VectorPaint, MakesPartsWhereNoShapeDoes) {
 
 TEST_F(VectorPaint, IsNamedWhereItIsInNoPart) {
   const std::string beside = marker(320, 320, 25);
-  EXPECT_NE(words_on(square + beside).find("7 % of the drawing is in no part"),
-            std::string::npos);
+  EXPECT_NE(words_on(square + beside).find("7 % of the drawing is in no part"), std::string::npos);
   EXPECT_EQ(words_on(square + marker(320, 320, 8)).find("in no part"), std::string::npos)
       << "nobody sees so little";
   EXPECT_EQ(words_on("<g data-relievo='part'>" + square + "</g>" + beside).find("in no part"),
