@@ -60,7 +60,9 @@ TEST(CheckPrint, MeasuresThinWalls) {
     if (thin == nullptr) continue;
     EXPECT_EQ(thin->part, "whisker");
     EXPECT_NEAR(thin->measure, width, 0.02);
-    EXPECT_NE(describe(*thin, nozzle, 100).find("--size 13"), std::string::npos);
+    // Three nozzles make it no neck either, at a width of 1.2 mm.
+    EXPECT_EQ(thin->enough, 500);
+    EXPECT_NE(describe(*thin).find("--size 500"), std::string::npos);
   }
 }
 
@@ -79,6 +81,23 @@ TEST(CheckPrint, KnowsLimbsThatBreakOff) {
     held.base = BaseShape::plate;
     EXPECT_EQ(find(findings_of(model, held), PrintTrouble::neck), nullptr);
   }
+}
+
+TEST(CheckPrint, AdvisesASizeThatIsEnough) {
+  // A blade that tapers is thinner than the nozzle somewhere at every size.
+  Model model = empty_model(100, 100);
+  add_bar(model, "hilt", {0, 0}, {30, 40});
+  add_bar(model, "blade", {30, 20}, {100, 23});
+  model.positions[6].y = model.positions[5].y + 0.01;
+  SolidOptions options;
+  options.size = 50;
+  const auto findings = findings_of(model, options);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_EQ(findings[0].part, "blade");
+  ASSERT_GT(findings[0].enough, options.size);
+  options.thickness *= findings[0].enough / options.size;
+  options.size = findings[0].enough;
+  EXPECT_TRUE(findings_of(model, options).empty());
 }
 
 /// A square with a smaller one beside it, of bars whose corners meet, and a bridge between them.
