@@ -282,17 +282,17 @@ const char* name(PrintTrouble trouble) {
 }
 
 std::string describe(const PrintFinding& finding) {
-  const std::string larger =
-      finding.enough > 0 ? "--size " + rounded(finding.enough, "%.0f") + ", or " : "";
+  const std::string larger = finding.enough > 0 ? "--size " + rounded(finding.enough, "%.0f")
+                                                : "no size helps: draw it thicker";
   switch (finding.trouble) {
     case PrintTrouble::loose:
       return finding.part + " is loose; --profile solid with --base plate or round connects it";
     case PrintTrouble::thin:
       return finding.part + " is " + rounded(finding.measure, "%.2f") +
-             " mm thin, less than the nozzle; " + larger + "a finer --nozzle";
+             " mm thin, less than the nozzle; " + larger + ", or use a finer --nozzle";
     case PrintTrouble::neck:
       return finding.part + " hangs by " + rounded(finding.measure, "%.2g") +
-             " mm and may break off; " + larger + "--profile solid with a --base";
+             " mm and may break off; " + larger + ", or --profile solid with a --base";
     case PrintTrouble::overhang:
       break;
   }

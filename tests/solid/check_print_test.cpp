@@ -17,7 +17,8 @@ using namespace testing;
 
 constexpr double nozzle = 0.4;
 
-/// A flat bar in the plane of the drawing, between two corners, px.
+/// Adds a flat bar in the plane of the drawing, between two corners, px, to the last part if that
+/// has the given id, or else as a part.
 void add_bar(Model& model, const std::string& id, Point2 low, Point2 high) {
   const int first = static_cast<int>(model.positions.size());
   for (const Point2 p : {low, Point2{high.x, low.y}, high, Point2{low.x, high.y}}) {
@@ -25,11 +26,11 @@ void add_bar(Model& model, const std::string& id, Point2 low, Point2 high) {
     model.normals.push_back({0, 0, 1});
     model.uvs.push_back({p.x / model.width, 1 - p.y / model.height});
   }
-  ModelPart part;
-  part.id = id;
-  part.first_triangle = static_cast<int>(model.triangles.size());
-  part.triangle_count = 2;
-  model.parts.push_back(part);
+  if (model.parts.empty() || model.parts.back().id != id) {
+    model.parts.emplace_back().id = id;
+    model.parts.back().first_triangle = static_cast<int>(model.triangles.size());
+  }
+  model.parts.back().triangle_count += 2;
   model.triangles.push_back({first, first + 1, first + 2});
   model.triangles.push_back({first, first + 2, first + 3});
 }
@@ -83,21 +84,43 @@ TEST(CheckPrint, KnowsLimbsThatBreakOff) {
   }
 }
 
-TEST(CheckPrint, AdvisesASizeThatIsEnough) {
-  // A blade that tapers is thinner than the nozzle somewhere at every size.
+/// A hilt with a blade from 3 px to `tip` px wide.
+Model sword(double tip) {
   Model model = empty_model(100, 100);
-  add_bar(model, "hilt", {0, 0}, {30, 40});
-  add_bar(model, "blade", {30, 20}, {100, 23});
-  model.positions[6].y = model.positions[5].y + 0.01;
+  for (const Point2 rows : {Point2{0, 20}, Point2{20, 23}, Point2{23, 40}})
+    add_bar(model, "hilt", {0, rows.x}, {30, rows.y});
+  constexpr int bars = 35;
+  const auto width = [tip](double s) { return (1 - s) * 3 + s * tip; };
+  for (int i = 0; i < bars; ++i) {
+    add_bar(model, "blade", {30 + 2.0 * i, 20}, {32 + 2.0 * i, 20 + width(1.0 * i / bars)});
+    model.positions[model.positions.size() - 2].y = 20 + width((i + 1.0) / bars);
+  }
+  return model;
+}
+
+TEST(CheckPrint, AdvisesASizeThatIsEnough) {
+  const Model model = sword(0.6);
   SolidOptions options;
   options.size = 50;
   const auto findings = findings_of(model, options);
   ASSERT_FALSE(findings.empty());
-  EXPECT_EQ(findings[0].part, "blade");
-  ASSERT_GT(findings[0].enough, options.size);
-  options.thickness *= findings[0].enough / options.size;
-  options.size = findings[0].enough;
-  EXPECT_TRUE(findings_of(model, options).empty());
+  double enough = options.size;
+  for (const PrintFinding& finding : findings) {
+    EXPECT_GT(finding.enough, options.size);
+    enough = std::max(enough, finding.enough);
+  }
+  options.thickness *= enough / options.size;
+  options.size = enough;
+  for (const PrintFinding& finding : findings_of(model, options))
+    ADD_FAILURE() << describe(finding);
+}
+
+TEST(CheckPrint, AdvisesNoSizeForWhatTapersToNothing) {
+  const auto findings = findings_of(sword(0.001), {});
+  const PrintFinding* thin = find(findings, PrintTrouble::thin);
+  ASSERT_NE(thin, nullptr);
+  EXPECT_EQ(thin->enough, 0);
+  EXPECT_EQ(describe(*thin).find("--size"), std::string::npos) << describe(*thin);
 }
 
 /// A square with a smaller one beside it, of bars whose corners meet, and a bridge between them.
