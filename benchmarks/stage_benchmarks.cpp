@@ -97,7 +97,7 @@ void model(State& state, const std::string& name, int vertices) {
   for (auto _ : state) {
     const auto made = relief::assemble_model(
         {relief->layers, relief->inflation, relief->ordering, scene_of(name)}, {});
-    benchmark::DoNotOptimize(encode_glb(*made, nullptr, 100));
+    benchmark::DoNotOptimize(encode_glb(*made, nullptr, {.size_mm = 100}));
   }
 }
 

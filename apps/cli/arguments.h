@@ -40,18 +40,26 @@ struct ReliefArguments {
   std::optional<Point2> lean;            ///< replaces the tilt of every part
   std::vector<CueArgument> cues;         ///< added to those of the drawing
   bool as_in_paper = false;              ///< use the paper's c, d, profile and tilt for all parts
-  std::optional<Visibility> visibility;  ///< default: relief in files to print, else orbit
+  std::optional<Visibility> visibility;  ///< of the surface; default: orbit
   Field field = Field::relief;
-  bool solid = false;            ///< make a closed solid in place of the surface
+  /// Make a closed solid in place of the surface; default: in files to print (prints_solids).
+  std::optional<bool> solid;
   SolidOptions solid_options;    ///< their size is that of the outputs
   double nozzle = usual_nozzle;  ///< mm, of the printer that solids are checked for
 };
+
+/// Whether files to print hold closed solids.
+inline bool prints_solids(const ReliefArguments& relief) {
+  return relief.solid.value_or(!relief.visibility);
+}
 
 struct BuildArguments {
   CommonArguments common;
   ReliefArguments relief;
   std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl, .3mf, .usdz, .html
   double size_mm = 100;             ///< longest side of the model
+  bool grounded = false;            ///< its lowest point is at height 0
+  int texture_size = 0;             ///< longest side of the texture, px; 0: the drawing's own
   int triangles = 0;                ///< maximum in a model; 0: any number
   int levels = 1;                   ///< files of each model, each with half of the triangles
   bool one_mesh = false;            ///< write all parts as one mesh

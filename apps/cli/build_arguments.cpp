@@ -16,13 +16,12 @@ constexpr const char* help = R"(Reconstructs a drawing and writes models, maps a
 Examples:
   relievo build wolf.svg -o wolf.glb
   relievo build photo.jpg -o photo.glb --overlay understood.png
-  relievo build wolf.svg -o wolf.stl --size 80 --vertices 100000
+  relievo build wolf.svg -o wolf.stl --size 80
   relievo build scene.json --depth-map depth.png --json
   cat wolf.svg | relievo build - -o wolf.glb)";
 
 void add_print_options(CLI::App& app, BuildArguments& build) {
-  app.add_option("--size", build.size_mm, "Longest side in mm (default 100)")
-      ->check(within(0.001, 1e6));
+  add_size(app, build.size_mm, 0.001, 1e6);
   app.add_option("--filaments", build.filaments,
                  "Maximum number of colours that a .3mf is painted with (default 4)")
       ->check(CLI::Range(1, 16));
@@ -39,10 +38,16 @@ void add_level_options(CLI::App& app, BuildArguments& build) {
   app.add_option(
          "--lods", build.levels,
          "Levels of detail: writes this many files of each model, wolf.glb, wolf-lod1.glb, ..., "
-         "each with half of the triangles")
+         "each with half of the triangles and of the texture's sides")
       ->check(CLI::Range(1, 8));
   app.add_flag("--one-mesh", build.one_mesh,
                "Writes all parts as one mesh: one draw call, but no names of parts");
+  app.add_flag("--grounded", build.grounded,
+               "Puts the lowest point of a .glb, .obj or .ply at height 0, not its middle");
+  app.add_option("--texture-size", build.texture_size,
+                 "Maximum longest side of the texture in px (default: that of the drawing); it "
+                 "halves with every level of detail")
+      ->check(CLI::Range(least_texture_size, max_texture_size));
 }
 
 void add_picture_options(CLI::App& app, BuildArguments& build) {
@@ -92,14 +97,17 @@ void settle_build(const BuildArguments& build) {
   if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
     throw CLI::ValidationError(
         "--convergence needs --method nonlinear, since the approximate method has no steps");
-  if (wants(build, {".3mf"}) && !build.relief.solid)
-    throw CLI::ValidationError("a .3mf can hold only solids: add --profile solid");
+  const bool prints = prints_solids(build.relief);
+  if (wants(build, {".3mf"}) && !prints)
+    throw CLI::ValidationError(
+        "a .3mf can hold only solids: leave out --visible and --profile relief");
   const bool simpler = build.triangles > 0 || build.levels > 1;
-  if (simpler && build.relief.solid && wants(build, {".stl", ".3mf"}))
+  if (simpler && prints && wants(build, {".stl", ".3mf"}))
     throw CLI::ValidationError(
         "a solid to print cannot lose triangles, or it would have gaps: use --vertices in place of "
         "--triangles and --lods");
-  const bool flat = build.relief.solid && build.relief.solid_options.back == BackSide::flat;
+  const bool flat =
+      build.relief.solid.value_or(false) && build.relief.solid_options.back == BackSide::flat;
   if (!build.carve_map.empty() && !flat)
     throw CLI::ValidationError(
         "--carve-map needs --profile solid, since a mill carves from one side");

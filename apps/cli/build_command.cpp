@@ -27,6 +27,8 @@
 namespace relievo::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// The results of a build.
 struct Products {
   Outputs outputs;
@@ -36,14 +38,13 @@ struct Products {
   std::vector<std::string> warnings;
 };
 
-/// Selects the models to print, or the others. Files to print hold the surface seen from the front
-/// (exported_visibility) unless the options ask for a solid or for other faces.
-std::vector<std::string> models_of(const BuildArguments& build, bool printed) {
+/// Selects the models that are solids if `solid`, or the surfaces.
+std::vector<std::string> models_of(const BuildArguments& build, bool solid) {
   std::vector<std::string> names;
   for (const std::string& name : build.models) {
-    const bool for_print = exported_visibility(name) == Visibility::relief;
-    if ((for_print && !build.relief.visibility && !build.relief.solid) == printed)
-      names.push_back(name);
+    const bool made_solid =
+        is_for_print(name) ? prints_solids(build.relief) : build.relief.solid.value_or(false);
+    if (made_solid == solid) names.push_back(name);
   }
   return names;
 }
@@ -54,10 +55,12 @@ const Model* written_model(const Products& products) {
 }
 
 /// Simplifies the model to a level of detail, if the options ask for that.
-void make_level(Products& products, const BuildArguments& build, int level) {
+/// `name`: the file's, after which a model of one mesh is named.
+void make_level(Products& products, const BuildArguments& build, int level,
+                const std::string& name) {
   if (build.triangles == 0 && build.levels == 1 && !build.one_mesh) return;
   const Model& made = products.made->drawn.model;
-  Model model = build.one_mesh ? unite_parts(made) : made;
+  Model model = build.one_mesh ? unite_parts(made, fs::path(name).stem().string()) : made;
   const auto all = static_cast<int>(model.triangles.size());
   const int most = (build.triangles > 0 ? std::min(build.triangles, all) : all) >> level;
   products.written = simplify_model(model, std::max(most, 1));
@@ -89,53 +92,72 @@ std::string summary(const std::string& name, size_t parts, const Model& model, d
          " x " + side(box.max.z - box.min.z) + " mm";
 }
 
-Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
+/// Returns the longest side of the texture of a level of detail, px.
+int texture_size(const BuildArguments& build, const Drawing& drawing, int level) {
+  const int own = std::max(drawing.rgba.width, drawing.rgba.height);
+  const int finest = build.texture_size > 0 ? std::min(build.texture_size, own) : own;
+  return std::max(finest >> level, least_texture_size);
+}
+
+/// Makes a surface or a solid of the relief and adds its files of the given names.
+Status add_models(Products& products, const BuildArguments& build, bool solid,
+                  const std::vector<std::string>& names, const SceneInput& input,
                   const relief::Relief& relief, const RunContext& context) {
   ReliefArguments arguments = build.relief;
+  arguments.solid = solid;
   arguments.solid_options.size = build.size_mm;
-  const auto put = [&](const std::vector<std::string>& names) -> Status {
-    auto made = make_model(relief, input, arguments, context);
-    if (!made) return made.error();
-    const auto& [model, drawing] = products.made.emplace(std::move(*made)).drawn;
-    // A solid is in mm already.
-    const double size = products.made->solid ? longest_side(model) : build.size_mm;
-    const bool standing = arguments.solid && stands(arguments.solid_options);
-    // The report describes the finest level, so it comes last.
-    for (int level = names.empty() ? -1 : build.levels - 1; level >= 0; --level) {
-      make_level(products, build, level);
-      const Model& written = products.written ? *products.written : model;
-      const double share = longest_side(written) / longest_side(model);
-      for (const std::string& name : names) {
-        const std::string file = level_name(name, level);
-        auto files = export_model(written, drawing, file,
-                                  {share * size, standing, build.filaments, build.slicer});
-        if (!files) return files.error();
-        std::move(files->begin(), files->end(), std::back_inserter(products.outputs.files));
-        products.summaries.push_back(
-            summary(file, input.scene.parts.size(), written, share * size));
-        if (context.cancelled()) return interrupted_error();
-      }
+  auto made = make_model(relief, input, arguments, context);
+  if (!made) return made.error();
+  const auto& [model, drawing] = products.made.emplace(std::move(*made)).drawn;
+  // A solid is in mm already.
+  const double size = solid ? longest_side(model) : build.size_mm;
+  const bool standing = solid && stands(arguments.solid_options);
+  // The report describes the finest level, so it comes last.
+  for (int level = names.empty() ? -1 : build.levels - 1; level >= 0; --level) {
+    make_level(products, build, level, names.front());
+    const Model& written = products.written ? *products.written : model;
+    const double share = longest_side(written) / longest_side(model);
+    for (const std::string& name : names) {
+      const std::string file = level_name(name, level);
+      ExportOptions options = {share * size, build.grounded,  texture_size(build, drawing, level),
+                               standing,     build.filaments, build.slicer};
+      auto files = export_model(written, drawing, file, options);
+      if (!files) return files.error();
+      std::move(files->begin(), files->end(), std::back_inserter(products.outputs.files));
+      products.summaries.push_back(summary(file, input.scene.parts.size(), written, share * size));
+      if (context.cancelled()) return interrupted_error();
     }
-    return Done{};
-  };
-  const std::vector<std::string> shown = models_of(build, false);
-  const std::vector<std::string> printed = models_of(build, true);
-  if (!shown.empty() || !build.preview.empty() || !build.carve_map.empty()) {
-    if (Status status = put(shown); !status) return status;
-    const relief::DrawnModel& drawn = products.made->drawn;
-    products.outputs.add(build.preview, [&] {
-      RenderArguments picture;
-      picture.size = build.preview_size;
-      return draw_picture(drawn.model, drawn.drawing, picture, context);
-    });
-    products.outputs.add(build.carve_map, [&] {
-      return encode_carve_map(drawn.model, build.px_per_mm, build.relief.solid_options.thickness);
-    });
-    if (!products.outputs.status) return products.outputs.status;
   }
-  if (printed.empty()) return Done{};
-  if (!arguments.visibility) arguments.visibility = Visibility::relief;
-  return put(printed);
+  return Done{};
+}
+
+/// Adds the pictures of the model that was made last.
+Status add_pictures(Products& products, const BuildArguments& build, const RunContext& context) {
+  const relief::DrawnModel& drawn = products.made->drawn;
+  products.outputs.add(build.preview, [&] {
+    RenderArguments picture;
+    picture.size = build.preview_size;
+    return draw_picture(drawn.model, drawn.drawing, picture, context);
+  });
+  products.outputs.add(build.carve_map, [&] {
+    return encode_carve_map(drawn.model, build.px_per_mm, build.relief.solid_options.thickness);
+  });
+  return products.outputs.status;
+}
+
+/// Adds the surfaces, then the solids. Pictures show a solid if the options ask for one.
+Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
+                  const relief::Relief& relief, const RunContext& context) {
+  const bool pictures = !build.preview.empty() || !build.carve_map.empty();
+  for (const bool solid : {false, true}) {
+    const std::vector<std::string> names = models_of(build, solid);
+    const bool pictured = pictures && build.relief.solid.value_or(false) == solid;
+    if (names.empty() && !pictured) continue;
+    if (Status s = add_models(products, build, solid, names, input, relief, context); !s) return s;
+    if (!pictured) continue;
+    if (Status s = add_pictures(products, build, context); !s) return s;
+  }
+  return Done{};
 }
 
 Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene,
@@ -200,15 +222,14 @@ Result<Products> make_products(const BuildArguments& build, const InputFile& fil
 /// Collects the warnings about the relief, the solid and the models, in this order. Overhangs are
 /// only in the report, since every figure has some.
 std::vector<std::string> all_warnings(const relief::Relief& relief, const Products& products,
-                                      const std::vector<PrintFinding>& findings, double nozzle) {
+                                      const std::vector<PrintFinding>& findings) {
   std::vector<std::string> warnings = relief.layers.warnings;
   if (relief.nonlinear.status == SolveStatus::iteration_limit)
     warnings.push_back(
         "the non-linear method did not converge: the depth order holds, but the shape is not the "
         "best possible");
   for (const PrintFinding& finding : findings)
-    if (finding.trouble != PrintTrouble::overhang)
-      warnings.push_back(describe(finding, nozzle, longest_side(products.made->drawn.model)));
+    if (finding.trouble != PrintTrouble::overhang) warnings.push_back(describe(finding));
   warnings.insert(warnings.end(), products.warnings.begin(), products.warnings.end());
   return warnings;
 }
@@ -219,7 +240,7 @@ std::string finish_report(const BuildArguments& build, const SceneInput& input,
                           std::vector<relief::StageTime> times) {
   std::vector<PrintFinding> findings;
   if (products.made) findings = print_findings(*products.made, build.relief);
-  products.warnings = all_warnings(relief, products, findings, build.relief.nozzle);
+  products.warnings = all_warnings(relief, products, findings);
   std::vector<std::string> warnings = input.warnings;
   warnings.insert(warnings.end(), products.warnings.begin(), products.warnings.end());
   return write_report({build.common.input, input.scene, relief, build.relief.options.nonlinear,

@@ -187,7 +187,8 @@ std::string overlap_table(const Scene& scene, const relief::LayeredMesh& mesh) {
   return table.text();
 }
 
-void print_scene(const SceneInput& input) {
+/// Prints tables of the scene, and warnings about it, whose number it returns.
+size_t print_scene(const SceneInput& input) {
   const Scene& scene = input.scene;
   print_result("canvas " + number(scene.width) + " x " + number(scene.height) + " px, " +
                counted(scene.parts.size(), "part") +
@@ -195,24 +196,28 @@ void print_scene(const SceneInput& input) {
   print_result("\n" + part_table(scene));
   for (const std::string& table : {annotation_table(input), cue_table(scene)})
     if (!table.empty()) print_result("\n" + table);
-  print_warnings(warnings_about_cues(scene));
-  print_warnings(warnings_about_outlines(scene));
+  const std::vector<std::string> of_cues = warnings_about_cues(scene);
+  const std::vector<std::string> of_outlines = warnings_about_outlines(scene);
+  print_warnings(of_cues);
+  print_warnings(of_outlines);
+  return of_cues.size() + of_outlines.size();
 }
 
-/// Lists what would go wrong in printing the solid or figure.
-Status print_weak_spots(const CheckArguments& check, SceneInput& input, const RunContext& context) {
+/// Lists what would go wrong in printing the solid or figure, and returns the number of findings.
+Result<size_t> print_weak_spots(const CheckArguments& check, SceneInput& input,
+                                const RunContext& context) {
   ReliefArguments arguments = check.relief;
   arguments.options.layers.vertex_budget = trial_vertices;
   const auto relief = reconstruct(input, arguments, context);
   if (!relief) return relief.error();
   const auto made = make_model(*relief, input, arguments, context);
   if (!made) return made.error();
-  const double size = longest_side(made->drawn.model);
+  const std::vector<PrintFinding> findings = print_findings(*made, arguments);
   Table table({"to print", "part", "problem and remedy"});
-  for (const PrintFinding& finding : print_findings(*made, arguments))
-    table.add({name(finding.trouble), finding.part, describe(finding, arguments.nozzle, size)});
+  for (const PrintFinding& finding : findings)
+    table.add({name(finding.trouble), finding.part, describe(finding)});
   print_result(table.empty() ? "\nready to print\n" : "\n" + table.text());
-  return Done{};
+  return findings.size();
 }
 
 /// Writes the scene and the overlay, if they are wanted.
@@ -244,7 +249,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   if (Status status = validate(input->scene); !status) return status;
   print_warnings(input->warnings);
   for (const std::string& line : input->understood) print_note(line);
-  print_scene(*input);
+  const size_t of_scene = print_scene(*input);
   relief::LayerOptions options;
   options.vertex_budget = trial_vertices;
   // A guessed join that is too short for this coarse mesh is not a mistake of the drawing.
@@ -259,10 +264,16 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   print_warnings(mesh->warnings);
   if (const std::string table = overlap_table(input->scene, *mesh); !table.empty())
     print_result("\n" + table);
-  if (check.relief.solid)
-    if (Status s = print_weak_spots(check, *input, {interruption.flag(), {}}); !s) return s;
+  size_t complaints = input->warnings.size() + of_scene + mesh->warnings.size();
+  if (check.relief.solid.value_or(false)) {
+    const auto weak_spots = print_weak_spots(check, *input, {interruption.flag(), {}});
+    if (!weak_spots) return weak_spots.error();
+    complaints += *weak_spots;
+  }
   if (Status s = write_outputs(check, *file, *input, *mesh, interruption); !s) return s;
-  print_note(check.common.input + ": no mistakes found");
+  print_note(check.common.input + ": " +
+             (complaints == 0 ? "no mistakes found"
+                              : "see the " + counted(complaints, "complaint") + " above"));
   return Done{};
 }
 
@@ -278,9 +289,7 @@ void add_check(CLI::App& main, Command& chosen) {
   add_path(app, "--overlay", check->overlay,
            "Picture of the drawing with its parts, joins, relations and soft ranges marked (.png)");
   add_solid_options(app, check->relief);
-  app.add_option("--size", check->relief.solid_options.size,
-                 "Longest side of a solid or figure in mm (default 100)")
-      ->check(within(1.0, 10000.0));
+  add_size(app, check->relief.solid_options.size, 1, 10000);
   app.callback([check, &chosen] { chosen = command(check, run_check); });
 }
 

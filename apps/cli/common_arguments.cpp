@@ -1,8 +1,20 @@
 #include "apps/cli/common_arguments.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include "io/files/number_text.h"
 
 namespace relievo::cli {
+namespace {
+
+/// Units of lengths, in mm; without one it is mm.
+constexpr std::pair<std::string_view, double> length_units[] = {
+    {"", 1}, {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+
+}  // namespace
 
 void add_common(CLI::App& app, CommonArguments& common, const char* help) {
   app.add_option("INPUT", common.input, help)->required();
@@ -23,6 +35,26 @@ void add_connect(CLI::App& app, CommonArguments& common) {
              "Where a layered drawing does not say how its parts connect: auto guesses (the "
              "default), none stacks them",
              {{"auto", true}, {"none", false}});
+}
+
+void add_size(CLI::App& app, double& mm, double least, double most) {
+  const auto read = [&mm, least, most](const std::string& text) {
+    const size_t end = std::min(text.find_first_not_of("0123456789.+-e"), text.size());
+    const std::string unit = text.substr(end);
+    const auto known = std::find_if(std::begin(length_units), std::end(length_units),
+                                    [&unit](const auto& one) { return one.first == unit; });
+    double number = 0;
+    if (known == std::end(length_units) || !CLI::detail::lexical_cast(text.substr(0, end), number))
+      throw CLI::ValidationError("--size",
+                                 text + " is not a length, such as 80, 80mm, 8cm or 1.8m");
+    number *= known->second;
+    if (!(number >= least && number <= most))
+      throw CLI::ValidationError("--size", text + " is not from " + shortest_text(least) + " to " +
+                                               shortest_text(most) + " mm");
+    mm = number;
+  };
+  app.add_option_function<std::string>(
+      "--size", read, "Longest side in mm, or with a unit: 80mm, 8cm, 1.8m or 3in (default 100)");
 }
 
 void add_normal_y(CLI::App& app, bool& normal_y_down) {

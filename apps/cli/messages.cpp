@@ -15,6 +15,7 @@ bool shows_progress() { return !is_quiet && isatty(STDERR_FILENO) != 0; }
 
 void print_line(std::string_view kind, const std::string& text) {
   const std::string line = std::string(program_prefix).append(kind) + printable(text) + "\n";
+  std::fflush(stdout);  // The two streams may lead to one place, where lines keep their order.
   std::fputs(line.c_str(), stderr);
 }
 
@@ -45,7 +46,7 @@ void print_result(const std::string& text) {
 }
 
 Status flush_results() {
-  if (std::fflush(stdout) == 0) return Done{};
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return Done{};
   return Error{ErrorCode::file, "cannot write to standard output", ""};
 }
 

@@ -32,8 +32,8 @@ Visibility shown(const ReliefArguments& arguments) {
 
 Result<relief::ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments) {
   relief::ReliefOptions options = arguments.options;
-  options.hidden = arguments.solid ? arguments.solid_options.back != BackSide::flat
-                                   : shown(arguments) != Visibility::relief;
+  options.hidden = arguments.solid.value_or(false) ? arguments.solid_options.back != BackSide::flat
+                                                   : shown(arguments) != Visibility::relief;
   if (arguments.as_in_paper) {
     for (Part& part : scene.parts) part = as_in_paper(std::move(part));
     options.layers.attach = false;
@@ -88,7 +88,7 @@ Result<relief::Relief> reconstruct(SceneInput& input, const ReliefArguments& arg
 
 Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& input,
                              const ReliefArguments& arguments, const RunContext& context) {
-  if (arguments.solid) {
+  if (arguments.solid.value_or(false)) {
     auto solid = solid_of(relief, input.scene, input.drawing, arguments.solid_options, context);
     if (!solid) return solid.error();
     return MadeModel{{std::move(solid->model), std::move(solid->drawing)}, solid->facts};

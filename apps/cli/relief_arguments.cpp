@@ -121,8 +121,8 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
 void add_visibility(CLI::App& app, ReliefArguments& relief) {
   auto* visible = add_choice(
       app, "--visible", relief.visibility,
-      "orbit writes whole parts (the default); relief the surface seen from the front, with walls "
-      "(the default for .stl); all writes every face",
+      "Faces of the surface: orbit writes whole parts (the default); relief what is seen from the "
+      "front, with walls; all writes every face",
       {{"relief", Visibility::relief}, {"orbit", Visibility::orbit}, {"all", Visibility::all}});
   app.add_flag_callback(
          "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
@@ -141,7 +141,8 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
                relief.solid_options.back = name == "figure" ? BackSide::drawing : BackSide::flat;
              },
              "relief writes the surface alone (the default); solid a closed body with a flat back, "
-             "to print or carve; figure a closed body with a back as round as its front")
+             "to print or carve (the default for .stl and .3mf); figure a closed body with a back "
+             "as round as its front")
           ->check(CLI::IsMember({"relief", "solid", "figure"}));
   std::vector<CLI::Option*> options = {
       app.add_option_function<std::string>(

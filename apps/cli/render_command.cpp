@@ -46,7 +46,7 @@ Result<Subject> build_model(const InputFile& input, const RenderArguments& rende
   print_warnings(loaded->warnings);
   if (!relief) return relief.error();
   // Rims are narrowed for the ink of the drawing, which clay does not show.
-  if (render.clay && !render.relief.solid) loaded->drawing = {};
+  if (render.clay && !render.relief.solid.value_or(false)) loaded->drawing = {};
   auto drawn = make_model(*relief, *loaded, render.relief, context);
   if (!drawn) return drawn.error();
   return Subject{std::move(drawn->drawn), std::move(loaded->files)};

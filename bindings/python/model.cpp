@@ -90,11 +90,15 @@ void bind_model(py::module_& module) {
       .def(
           "save",
           [](const ShownModel& self, const fs::path& path, std::optional<double> size,
-             int filaments, Slicer slicer) {
-            const ExportOptions options = {.filaments = filaments, .slicer = slicer};
+             bool grounded, int texture_size, int filaments, Slicer slicer) {
+            const ExportOptions options = {.grounded = grounded,
+                                           .texture_size = texture_size,
+                                           .filaments = filaments,
+                                           .slicer = slicer};
             run([&](const RunContext&) { return save(self, path, size, options); });
           },
-          py::arg("path"), py::arg("size"), py::arg("filaments"), py::arg("slicer"))
+          py::arg("path"), py::arg("size"), py::arg("grounded"), py::arg("texture_size"),
+          py::arg("filaments"), py::arg("slicer"))
       .def("render", render, py::arg("options"));
 }
 

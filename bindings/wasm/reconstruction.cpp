@@ -137,7 +137,7 @@ val findings(const Solid& solid, bool standing) {
     entry.set("trouble", std::string(name(finding.trouble)));
     entry.set("part", finding.part);
     entry.set("measure", finding.measure);
-    entry.set("enough", enough_size(finding, usual_nozzle, longest_side(solid.model)));
+    entry.set("enough", finding.enough);
     list.call<void>("push", entry);
   }
   return list;
@@ -257,16 +257,22 @@ val Reconstruction::encode_solid(const std::string& format, const std::string& n
   const auto made = session_.solid(*solid, texture_);
   if (!made) return failure(made.error());
   return to_js(encode_as(format, name, made->model, made->drawing,
-                         {longest_side(made->model), stands(*solid)}));
+                         {.size_mm = longest_side(made->model), .standing = stands(*solid)}));
 }
 
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
-  ModelOptions options;
-  options.visibility = exported_visibility("model." + format);
-  const auto model = session_.model(options);
+  if (is_for_print("model." + format)) {
+    SolidOptions solid;
+    solid.size = size_mm;
+    const auto made = session_.solid(solid, texture_);
+    if (!made) return failure(made.error());
+    return to_js(encode_as(format, name, made->model, made->drawing,
+                           {.size_mm = longest_side(made->model)}));
+  }
+  const auto model = session_.model();
   if (!model) return failure(model.error());
-  return to_js(encode_as(format, name, *model, texture_, {size_mm}));
+  return to_js(encode_as(format, name, *model, texture_, {.size_mm = size_mm}));
 }
 
 val Reconstruction::map(const std::string& kind, int side, bool green_down) {

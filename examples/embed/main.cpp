@@ -12,7 +12,7 @@ relievo::Status make_model(const char* drawing_file, const char* model_file) {
   if (!drawn) return drawn.error();
   relievo::Session session;
   if (const auto built = session.build(drawn->scene); !built) return built.error();
-  const auto model = session.model({relievo::exported_visibility(model_file)});
+  const auto model = session.model();
   if (!model) return model.error();
   const auto files = relievo::export_model(*model, drawn->drawing, model_file);
   if (!files) return files.error();

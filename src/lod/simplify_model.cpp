@@ -87,9 +87,9 @@ Model simplify_model(const Model& model, int triangles) {
   return put_together(model, pieces);
 }
 
-Model unite_parts(Model model) {
+Model unite_parts(Model model, const std::string& id) {
   ModelPart all;
-  if (!model.parts.empty()) all.id = model.parts.front().id;
+  all.id = id;
   all.triangle_count = static_cast<int>(model.triangles.size());
   model.parts = {all};
   return model;

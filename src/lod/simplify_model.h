@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "relievo/model.h"
 
 namespace relievo {
@@ -11,7 +13,7 @@ namespace relievo {
 /// is finished (see finish_model). O(n log n) for n triangles.
 Model simplify_model(const Model& model, int triangles);
 
-/// Unites all parts to one, named after the first: one mesh, one draw call. Precondition: as above.
-Model unite_parts(Model model);
+/// Unites all parts to one, called `id`: one mesh, one draw call. Precondition: as above.
+Model unite_parts(Model model, const std::string& id);
 
 }  // namespace relievo

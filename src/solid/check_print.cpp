@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "kernel/geometry/box3.h"
 #include "kernel/geometry/clipper_paths.h"
 #include "relievo/solid.h"
 #include "solid/level_cuts.h"
@@ -20,6 +21,8 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 
 constexpr int most_cuts = 16;
+/// Sizes that are tried for parts that are too thin, in sizes of the model.
+constexpr std::array tried_times = {1.1, 1.25, 1.5, 2.0, 3.0, 5.0, 8.0};
 // Lengths in nozzles below which findings do not count.
 constexpr double least_wall = 5;   ///< length of thin walls
 constexpr double least_limb = 8;   ///< length of slender limbs
@@ -212,6 +215,41 @@ std::string rounded(double value, const char* format) {
   return text;
 }
 
+/// The parts that are too thin somewhere, with the width there, mm.
+struct SlenderParts {
+  ByPart thin;
+  ByPart necks;  ///< of other parts
+};
+
+SlenderParts slender_parts(const PrintChecker& checker) {
+  SlenderParts found{checker.thin_walls(), checker.necks()};
+  for (const auto& [part, width] : found.thin) found.necks.erase(part);
+  return found;
+}
+
+/// Finds the longest side, mm, with which each of the slender parts is none; parts that are slender
+/// at all sizes that are tried are missing. A part tapers, so its width does not tell.
+std::map<int, double> enough_sizes(const Model& model, const SlenderParts& slender, double nozzle) {
+  std::map<int, double> enough;
+  std::vector<int> open;
+  for (const ByPart* parts : {&slender.thin, &slender.necks})
+    for (const auto& [part, width] : *parts) open.push_back(part);
+  Box3 box;
+  for (const Point3 p : model.positions) box.add(p);
+  const Point3 sides = box.sides();
+  for (const double times : tried_times) {
+    if (open.empty()) break;
+    // A model that grows is one whose nozzle shrinks.
+    const SlenderParts left = slender_parts(PrintChecker(model, nozzle / times));
+    std::erase_if(open, [&](int part) {
+      if (left.thin.count(part) + left.necks.count(part) > 0) return false;
+      enough[part] = std::ceil(times * std::max({sides.x, sides.y, sides.z}));
+      return true;
+    });
+  }
+  return enough;
+}
+
 Model upright(Model model) {
   for (Point3& p : model.positions) p = stood_up(p);
   return model;
@@ -223,16 +261,17 @@ std::vector<PrintFinding> check_print(const Model& model, const std::vector<std:
                                       double nozzle, bool standing) {
   if (standing) return check_print(upright(model), loose, nozzle);
   std::vector<PrintFinding> findings;
-  for (const std::string& part : loose) findings.push_back({PrintTrouble::loose, part, 0});
+  for (const std::string& part : loose) findings.push_back({PrintTrouble::loose, part});
   const PrintChecker checker(model, nozzle);
-  const ByPart thin = checker.thin_walls();
+  const SlenderParts slender = slender_parts(checker);
+  std::map<int, double> enough = enough_sizes(model, slender, nozzle);
   const auto add = [&](PrintTrouble trouble, const ByPart& parts) {
     for (const auto& [part, measure] : parts)
-      if (trouble != PrintTrouble::neck || thin.count(part) == 0)
-        findings.push_back({trouble, model.parts[part].id, measure});
+      findings.push_back({trouble, model.parts[part].id, measure,
+                          trouble == PrintTrouble::overhang ? 0 : enough[part]});
   };
-  add(PrintTrouble::thin, thin);
-  add(PrintTrouble::neck, checker.necks());
+  add(PrintTrouble::thin, slender.thin);
+  add(PrintTrouble::neck, slender.necks);
   add(PrintTrouble::overhang, checker.overhangs());
   return findings;
 }
@@ -242,20 +281,15 @@ const char* name(PrintTrouble trouble) {
   return names[static_cast<size_t>(trouble)];
 }
 
-double enough_size(const PrintFinding& finding, double nozzle, double size) {
-  const bool thin = finding.trouble == PrintTrouble::thin;
-  if (!thin && finding.trouble != PrintTrouble::neck) return 0;
-  return std::ceil(size * (thin ? nozzle : 3 * nozzle) / finding.measure);
-}
-
-std::string describe(const PrintFinding& finding, double nozzle, double size) {
-  const std::string larger = "--size " + rounded(enough_size(finding, nozzle, size), "%.0f");
+std::string describe(const PrintFinding& finding) {
+  const std::string larger = finding.enough > 0 ? "--size " + rounded(finding.enough, "%.0f")
+                                                : "no size helps: draw it thicker";
   switch (finding.trouble) {
     case PrintTrouble::loose:
       return finding.part + " is loose; --profile solid with --base plate or round connects it";
     case PrintTrouble::thin:
       return finding.part + " is " + rounded(finding.measure, "%.2f") +
-             " mm thin, less than the nozzle; " + larger + ", or a finer --nozzle";
+             " mm thin, less than the nozzle; " + larger + ", or use a finer --nozzle";
     case PrintTrouble::neck:
       return finding.part + " hangs by " + rounded(finding.measure, "%.2g") +
              " mm and may break off; " + larger + ", or --profile solid with a --base";

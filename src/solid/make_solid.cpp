@@ -16,6 +16,7 @@
 #include "solid/field_rim.h"
 #include "solid/lay_floor.h"
 #include "solid/mirror_limbs.h"
+#include "solid/place_on_grid.h"
 #include "solid/plate_outline.h"
 #include "solid/raise_walls.h"
 #include "solid/repair_plane.h"
@@ -29,64 +30,8 @@ namespace {
 constexpr double least_gap = 0.05;    ///< mm between sides that would touch in a point
 constexpr double least_depth = 0.4;   ///< mm of a figure; its back is lowered for that
 constexpr double soft_share = 0.015;  ///< width of ramps on a figure's back, of its size
-constexpr double cutter_wall = 0.8;   ///< mm, thickness of the wall that cuts dough
-
-/// Returns the box of a sheet and, if `backed`, of its back and its mirrored limbs, px.
-Box3 box_of(const relief::VisibleSheet& sheet, const std::vector<relief::LimbSheet>& limbs,
-            bool backed) {
-  Box3 box;
-  if (backed)
-    for (const relief::BackPoint& back : sheet.back) box.min.z = std::min(box.min.z, back.z);
-  for (const relief::LimbSheet& limb : limbs)
-    for (const std::array<int, 3>& triangle : limb.sheet.model.triangles)
-      for (const int v : triangle)
-        box.min.z = std::min(box.min.z, 2 * limb.middle - limb.sheet.model.positions[v].z);
-  for (const std::array<int, 3>& triangle : sheet.model.triangles)
-    for (const int v : triangle) box.add(sheet.model.positions[v]);
-  return box;
-}
-
-/// Returns the radius of the disc around the middle of a box that covers the model, px.
-double radius_of(const Model& model, const Box3& box) {
-  const Point3 middle = 0.5 * (box.min + box.max);
-  double radius = 0;
-  for (const std::array<int, 3>& triangle : model.triangles)
-    for (const int v : triangle) {
-      const Point3 p = model.positions[v] - middle;
-      radius = std::max(radius, std::hypot(p.x, p.y));
-    }
-  return radius;
-}
-
-/// Computes the placement that gives the whole its size.
-Result<GridPlacement> place_on_grid(const relief::VisibleSheet& sheet,
-                                    const std::vector<relief::LimbSheet>& limbs,
-                                    const SolidOptions& options) {
-  const bool backed = options.back != BackSide::flat;
-  const Box3 box = box_of(sheet, limbs, backed);
-  const double below = backed ? 0 : options.thickness;
-  const Point3 sides = box.sides();
-  const double wall = options.cutter > 0 ? cutter_wall : 0;
-  const double around = options.base == BaseShape::none ? 0 : 2 * (options.margin + wall);
-  const bool disc = options.base == BaseShape::round && !backed;
-  const double wide = disc ? 2 * radius_of(sheet.model, box) : std::max(sides.x, sides.y);
-  const double deep = backed ? around : below;
-  double scale = (options.size - around) / wide;
-  // If the height is limited, depth does not count for the size.
-  if (sides.z > 0 && options.height == 0) scale = std::min(scale, (options.size - deep) / sides.z);
-  if (!(scale > 0))
-    return Error{ErrorCode::usage, "leaves no room beside the base's margin and thickness",
-                 "--size"};
-  const double reach = options.size + 2 * options.ring + 16;
-  const double unit = std::ldexp(1.0, static_cast<int>(std::ceil(std::log2(reach))) - 24);
-  double height_scale = scale;
-  if (options.height > 0 && sides.z > 0)
-    height_scale = std::min(scale, (options.height - below) / sides.z);
-  if (!(height_scale > 0))
-    return Error{ErrorCode::usage, "leaves no room above the base's thickness", "--height"};
-  const double lift = below / height_scale;
-  return GridPlacement{scale, height_scale, box.min - Point3{0, 0, lift}, unit, backed};
-}
+constexpr double size_slack = 0.001;  ///< by which a figure on a base may miss its size
+constexpr int most_fits = 4;          ///< times that a figure is made to get its size
 
 /// Counts the connected pieces of a field and lists the parts of all but the largest.
 SolidFacts find_pieces(const HeightField& field, const std::vector<ModelPart>& parts) {
@@ -201,7 +146,7 @@ struct FieldMaker {
 
   int64_t steps(double mm) const { return std::llround(mm / placement.unit); }
   /// Returns the grid steps by which feet are sunk into a plate.
-  int64_t sunk() const { return steps(0.5 * options.thickness); }
+  int64_t sunk() const { return steps(sunk_depth(options)); }
 
   HeightField field_of(const relief::VisibleSheet& sheet) const {
     HeightField field = snap_sheet(sheet, placement);
@@ -266,6 +211,71 @@ void move_limbs(GridPoint low, double unit, std::vector<SolidLimb>& limbs) {
                      unit * static_cast<double>(limb.low.y - low.y), 0};
 }
 
+/// Makes the solid of a sheet whose place is known.
+Result<Solid> make_placed(const relief::VisibleSheet& sheet,
+                          const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
+                          const SolidOptions& options, const GridPlacement& placement) {
+  const bool figure = options.back != BackSide::flat;
+  const bool standing = stands(options);
+  const std::vector<ModelPart> parts =
+      figure && !standing ? sheet.model.parts : parts_with_base(sheet.model);
+  BackPaint paint = paint_back(drawing, sheet.model, options.back);
+  const FieldMaker maker{options, placement, paint};
+  HeightField field = maker.field_of(sheet);
+  const int base = static_cast<int>(parts.size()) - 1;
+  if (standing)
+    if (Status status = cut_feet(maker.sunk(), field); !status) return status.error();
+  if (Status status = maker.repair(field); !status) return status.error();
+  if (!figure)
+    if (Status status = add_plate(options, base, paint.plate, field); !status)
+      return status.error();
+  FieldEdges edges = connect_field(field);
+  if (figure)
+    if (Status status = maker.add_back(edges, field); !status) return status.error();
+  std::vector<SolidLimb> mirrored;
+  std::vector<GridPoint> feet;
+  for (const relief::LimbSheet& limb : limbs) {
+    auto made = make_limb(maker, drawing, limb, parts, lowest(field), feet);
+    if (!made) return made.error();
+    mirrored.push_back(std::move(*made));
+  }
+  if (standing) {
+    if (Status status = maker.stand(base, std::move(feet), field); !status) return status.error();
+    edges = connect_field(field);
+  }
+  settle_heights(edges, field);
+  auto model = raise_walls(field, edges, parts, paint);
+  if (!model) return model.error();
+  Solid solid{std::move(*model), std::move(paint.drawing), find_pieces(field, parts)};
+  move_limbs(low_corner(field), field.unit, mirrored);
+  if (Status status = unite_with_limbs(mirrored, field.unit, paint.parts, solid); !status)
+    return status.error();
+  solid.facts.volume = volume_of(solid.model);
+  return solid;
+}
+
+/// Returns the factor by which the scale of a figure on a base must grow for the whole to have its
+/// size. Its longest side has some mm that do not grow: the plate's part below the feet, or a
+/// margin at each end that the plate reaches.
+double missing_growth(const Solid& solid, const SolidOptions& options) {
+  const Model& model = solid.model;
+  Box3 whole;
+  for (const Point3 p : model.positions) whole.add(p);
+  Box3 plate;
+  const ModelPart& base = model.parts.back();
+  for (int t = base.first_triangle; t < base.first_triangle + base.triangle_count; ++t)
+    for (const int v : model.triangles[t]) plate.add(model.positions[v]);
+  const auto fixed = [&](double Point3::*axis) {
+    return options.margin * ((plate.min.*axis <= whole.min.*axis ? 1 : 0) +
+                             (plate.max.*axis >= whole.max.*axis ? 1 : 0));
+  };
+  const Point3 sides = whole.sides();
+  const std::pair<double, double> longest =
+      std::max({std::pair{sides.x, fixed(&Point3::x)}, std::pair{sides.z, fixed(&Point3::z)},
+                std::pair{sides.y, options.thickness - sunk_depth(options)}});
+  return (options.size - longest.second) / (longest.first - longest.second);
+}
+
 }  // namespace
 
 Result<Solid> make_solid(const relief::VisibleSheet& given,
@@ -284,41 +294,13 @@ Result<Solid> make_solid(const relief::VisibleSheet& given,
     placement = place_on_grid(sheet, limbs, options);
     if (!placement) return placement.error();
   }
-  const bool stands = figure && options.base != BaseShape::none;
-  const std::vector<ModelPart> parts =
-      figure && !stands ? sheet.model.parts : parts_with_base(sheet.model);
-  BackPaint paint = paint_back(drawing, sheet.model, options.back);
-  const FieldMaker maker{options, *placement, paint};
-  HeightField field = maker.field_of(sheet);
-  const int base = static_cast<int>(parts.size()) - 1;
-  if (stands)
-    if (Status status = cut_feet(maker.sunk(), field); !status) return status.error();
-  if (Status status = maker.repair(field); !status) return status.error();
-  if (!figure)
-    if (Status status = add_plate(options, base, paint.plate, field); !status)
-      return status.error();
-  FieldEdges edges = connect_field(field);
-  if (figure)
-    if (Status status = maker.add_back(edges, field); !status) return status.error();
-  std::vector<SolidLimb> mirrored;
-  std::vector<GridPoint> feet;
-  for (const relief::LimbSheet& limb : limbs) {
-    auto made = make_limb(maker, drawing, limb, parts, lowest(field), feet);
-    if (!made) return made.error();
-    mirrored.push_back(std::move(*made));
+  auto solid = make_placed(sheet, limbs, drawing, options, *placement);
+  for (int fits = 1; solid && stands(options) && fits < most_fits; ++fits) {
+    const double growth = missing_growth(*solid, options);
+    if (std::abs(growth - 1) <= size_slack) break;
+    grow(growth, *placement);
+    solid = make_placed(sheet, limbs, drawing, options, *placement);
   }
-  if (stands) {
-    if (Status status = maker.stand(base, std::move(feet), field); !status) return status.error();
-    edges = connect_field(field);
-  }
-  settle_heights(edges, field);
-  auto model = raise_walls(field, edges, parts, paint);
-  if (!model) return model.error();
-  Solid solid{std::move(*model), std::move(paint.drawing), find_pieces(field, parts)};
-  move_limbs(low_corner(field), field.unit, mirrored);
-  if (Status status = unite_with_limbs(mirrored, field.unit, paint.parts, solid); !status)
-    return status.error();
-  solid.facts.volume = volume_of(solid.model);
   return solid;
 }
 

@@ -37,12 +37,15 @@ class Batch : public CliTest {
     return lines;
   }
 
-  /// What `relievo build` makes of a drawing.
-  std::string built(const std::string& input, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {"build", input, "-o", "one.glb", "--vertices", "300"};
+  /// Whether a file is the one that `relievo build` makes of a drawing.
+  bool is_built(const std::string& file, const std::string& input,
+                const std::vector<std::string>& more = {}) const {
+    const std::string again = "again/" + std::filesystem::path(file).filename().string();
+    std::filesystem::create_directory(folder_.path() / "again");
+    std::vector<std::string> arguments = {"build", input, "-o", again, "--vertices", "300"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_EQ(relievo(arguments).exit_code, 0);
-    return read("one.glb");
+    return read(file) == read(again);
   }
 };
 
@@ -51,8 +54,8 @@ TEST_F(Batch, BuildsWhatCanBeBuiltAndTellsWhatFailed) {
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_NE(outcome.err.find("broken: in/broken.svg"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.out.find("3 drawings"), std::string::npos) << outcome.out;
-  EXPECT_EQ(read("out/cat.glb"), built("in/cat.svg"));
-  EXPECT_EQ(read("out/more/dog.glb"), built("in/more/dog.svg"));
+  EXPECT_TRUE(is_built("out/cat.glb", "in/cat.svg"));
+  EXPECT_TRUE(is_built("out/more/dog.glb", "in/more/dog.svg"));
   const auto lines = journal();
   ASSERT_EQ(lines.size(), 3U);
   for (const Json& line : lines) {
@@ -86,7 +89,7 @@ TEST_F(Batch, DoesAgainWhatIsMissingOrHasChanged) {
   EXPECT_EQ(journal().back()["name"], "cat");
   EXPECT_EQ(batch({"in", "--c", "3"}).exit_code, 0);
   EXPECT_EQ(journal().size(), 8U);
-  EXPECT_EQ(read("out/cat.glb"), built("in/cat.svg", {"--c", "3"}));
+  EXPECT_TRUE(is_built("out/cat.glb", "in/cat.svg", {"--c", "3"}));
 }
 
 TEST_F(Batch, SharesAreTheWholeAndMerge) {
@@ -94,7 +97,7 @@ TEST_F(Batch, SharesAreTheWholeAndMerge) {
   const size_t first = journal("out/journal-1-of-2.jsonl").size();
   EXPECT_EQ(first, 2U);
   EXPECT_EQ(journal("out/journal-2-of-2.jsonl").size(), 1U);
-  EXPECT_EQ(read("out/more/dog.glb"), built("in/more/dog.svg"));
+  EXPECT_TRUE(is_built("out/more/dog.glb", "in/more/dog.svg"));
   const Outcome merged = relievo({"batch", "--merge", "-o", "out", "--sheet"});
   EXPECT_EQ(merged.exit_code, 3) << merged.err;
   EXPECT_EQ(journal().size(), 3U);
@@ -109,9 +112,9 @@ TEST_F(Batch, ATableSaysWhatIsSpecial) {
         "input\tname\tc\tno-glue\tlean\n# comment\ncat.svg\tpets/tom\t3\tyes\t0 0.2\n"
         "more/dog.svg\t\t\t\t\n");
   EXPECT_EQ(batch({"in/table.tsv"}).exit_code, 0);
-  EXPECT_EQ(read("out/pets/tom.glb"),
-            built("in/cat.svg", {"--c", "3", "--no-glue", "--lean", "0", "0.2"}));
-  EXPECT_EQ(read("out/dog.glb"), built("in/more/dog.svg"));
+  EXPECT_TRUE(
+      is_built("out/pets/tom.glb", "in/cat.svg", {"--c", "3", "--no-glue", "--lean", "0", "0.2"}));
+  EXPECT_TRUE(is_built("out/dog.glb", "in/more/dog.svg"));
 }
 
 TEST_F(Batch, ATablesMistakesAreNamedBeforeAnythingIsBuilt) {
@@ -156,8 +159,8 @@ TEST_F(Batch, DrawingsOfOneNameGetTheirExtensions) {
   EXPECT_EQ(
       relievo({"batch", "in/cat.svg", "in/cat.json", "-o", "out", "--vertices", "300"}).exit_code,
       0);
-  EXPECT_EQ(read("out/cat-svg.glb"), built("in/cat.svg"));
-  EXPECT_EQ(read("out/cat-json.glb"), built("in/cat.json"));
+  EXPECT_TRUE(is_built("out/cat-svg.glb", "in/cat.svg"));
+  EXPECT_TRUE(is_built("out/cat-json.glb", "in/cat.json"));
 }
 
 TEST_F(Batch, MakesMapsPicturesAndAContactSheet) {
@@ -191,7 +194,7 @@ TEST_F(Batch, GoesOnAfterItWasKilled) {
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names.size(), 32U);
   EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
-  EXPECT_EQ(read("out/n29.glb"), built("in/n29.svg"));
+  EXPECT_TRUE(is_built("out/n29.glb", "in/n29.svg"));
 }
 
 TEST_F(Batch, StopsWhenAskedToAndLeavesNoFailures) {
@@ -228,7 +231,7 @@ TEST_F(Batch, RefusesWhatMakesNoSense) {
   expect_failure({"batch", "-o", "out"}, 2, "no drawings");
   expect_failure({"batch", "in", "--merge", "-o", "out"}, 2, "--merge takes no drawings");
   expect_failure({"batch", "in", "--shard", "3/2", "-o", "out"}, 2, "--shard 3/2");
-  expect_failure({"batch", "in", "--make", "3mf", "-o", "out"}, 2, "--profile solid");
+  expect_failure({"batch", "in", "--make", "3mf", "--visible", "all", "-o", "out"}, 2, "--visible");
   expect_failure({"batch", "--merge", "-o", "nowhere"}, 6, "contains no journals");
 }
 

@@ -230,8 +230,42 @@ TEST_F(Build, SimplifiesModelsAndWritesLevels) {
   ASSERT_EQ(relievo(with({"--one-mesh", "-q"})).exit_code, 0);
   const std::string bytes = read("m.glb");
   EXPECT_EQ(decode_glb(Bytes(bytes.begin(), bytes.end()))->model.parts.size(), 1U);
-  expect_failure({"build", "scene.json", "-o", "s.stl", "--profile", "solid", "--triangles", "99"},
-                 2, "--vertices");
+  expect_failure({"build", "scene.json", "-o", "s.stl", "--triangles", "99"}, 2, "--vertices");
+}
+
+TEST_F(Build, LevelsOfDetailHaveSmallerTextures) {
+  write("drawing.svg", svg_text);
+  const auto side = [&](const std::string& name) {
+    const std::string bytes = read(name);
+    const auto glb = decode_glb(Bytes(bytes.begin(), bytes.end()));
+    EXPECT_TRUE(glb.ok()) << name;
+    return glb.ok() ? std::max(glb->drawing.rgba.width, glb->drawing.rgba.height) : 0;
+  };
+  ASSERT_EQ(relievo(with_small({"build", "drawing.svg", "-o", "m.glb", "--lods", "2"})).exit_code,
+            0);
+  const int own = side("m.glb");
+  EXPECT_EQ(side("m-lod1.glb"), own / 2);
+  ASSERT_EQ(relievo(with_small({"build", "drawing.svg", "-o", "m.glb", "--lods", "2",
+                                "--texture-size", "128"}))
+                .exit_code,
+            0);
+  EXPECT_LE(side("m.glb"), 128);
+  EXPECT_GT(side("m.glb"), 64);
+  EXPECT_LE(side("m-lod1.glb"), 64);
+}
+
+TEST_F(Build, SizesMayHaveUnits) {
+  const auto glb = [&](const char* size) {
+    EXPECT_EQ(
+        relievo(with_small({"build", "scene.json", "-q", "-o", "m.glb", "--size", size})).exit_code,
+        0);
+    return read("m.glb");
+  };
+  const std::string metres = glb("1800");
+  for (const char* size : {"1.8m", "180cm", "1800mm"}) EXPECT_TRUE(glb(size) == metres) << size;
+  EXPECT_TRUE(glb("1in") == glb("25.4"));
+  for (const char* size : {"1.8 km", "m", "0", "nan", "2000m"})
+    expect_failure({"build", "scene.json", "-o", "m.glb", "--size", size}, 2, "--size");
 }
 
 TEST_F(Build, OptionsReachTheirStages) {
@@ -262,18 +296,20 @@ TEST_F(Build, OptionsReachTheirStages) {
     EXPECT_FALSE(glb(change) == plain) << change.back();
 }
 
-TEST_F(Build, ShowsWholePartsAndPrintsWhatTheFrontShows) {
+TEST_F(Build, ShowsWholePartsAndPrintsASolid) {
   ASSERT_EQ(relievo(with_small({"build", "scene.json", "-o", "m.glb", "-o", "m.stl"})).exit_code,
             0);
-  const auto alone = [&](const std::string& name, const std::string& visible) {
-    EXPECT_EQ(
-        relievo(with_small({"build", "scene.json", "-o", name, "--visible", visible})).exit_code,
-        0);
+  const std::string glb = read("m.glb");
+  const std::string stl = read("m.stl");
+  const auto alone = [&](const std::string& name, const char* option, const char* value) {
+    EXPECT_EQ(relievo(with_small({"build", "scene.json", "-o", name, option, value})).exit_code, 0);
     return read(name);
   };
-  EXPECT_EQ(read("m.glb"), alone("a.glb", "orbit"));
-  EXPECT_EQ(read("m.stl"), alone("a.stl", "relief"));
-  EXPECT_NE(read("m.stl"), alone("b.stl", "orbit"));
+  EXPECT_TRUE(glb == alone("m.glb", "--visible", "orbit"));
+  EXPECT_TRUE(stl == alone("a.stl", "--profile", "solid"));
+  const std::string sheet = alone("b.stl", "--profile", "relief");
+  EXPECT_FALSE(stl == sheet);
+  EXPECT_TRUE(sheet == alone("c.stl", "--visible", "orbit"));
 }
 
 TEST_F(Build, PaperPresetIsThePapersValuesForAllParts) {

@@ -56,7 +56,8 @@ TEST_F(Failures, UsageIsTwo) {
   expect_failure(with(build, {"--normal-y", "up"}), 2, "normal-y");
   expect_failure(with(build, {"--timeout", "0"}), 2, "timeout");
   expect_failure(with(build, {"--no-such-option"}), 2, "no-such-option");
-  expect_failure({"build", "scene.json", "-o", "out.3mf"}, 2, "--profile solid");
+  for (const char* option : {"--profile", "--visible"})
+    expect_failure({"build", "scene.json", "-o", "out.3mf", option, "relief"}, 2, option);
   expect_failure(with(build, {"--filaments", "17"}), 2, "filaments");
   expect_failure(with(build, {"--profile", "hollow"}), 2, "hollow");
   expect_failure(with(build, {"--base", "round"}), 2, "profile");

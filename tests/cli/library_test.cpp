@@ -38,8 +38,8 @@ class Library : public CliTest {
 };
 
 TEST_F(Library, FinishesModelsAsTheProgramDoes) {
-  for (const std::string name : {"a.glb", "a.ply", "a.stl", "a.usdz", "a.html"}) {
-    const auto model = session_.model({exported_visibility(name)});
+  for (const std::string name : {"a.glb", "a.ply", "a.obj", "a.usdz", "a.html"}) {
+    const auto model = session_.model();
     ASSERT_TRUE(model.ok());
     EXPECT_TRUE(file_of(*model, drawn_.drawing, name) == built(name)) << name;
   }
@@ -68,8 +68,7 @@ TEST_F(Library, MakesSolidsAsTheProgramDoes) {
   const auto solid = session_.solid({}, drawn_.drawing);
   ASSERT_TRUE(solid.ok());
   for (const std::string name : {"a.stl", "a.3mf"})
-    EXPECT_TRUE(file_of(solid->model, solid->drawing, name) == built(name, {"--profile", "solid"}))
-        << name;
+    EXPECT_TRUE(file_of(solid->model, solid->drawing, name) == built(name)) << name;
 }
 
 }  // namespace

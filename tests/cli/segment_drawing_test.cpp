@@ -179,10 +179,10 @@ TEST_F(SegmentDrawing, VectorsAreTakenAsThePictureThatTheyPaint) {
   EXPECT_EQ(picture->width, 1280);
   EXPECT_EQ(picture->height, 1600);
   for (const char* input : {"figure.relievo", "scene.json"})
-    ASSERT_EQ(relievo({"build", input, "-o", std::string(input) + ".glb", "--vertices", "2000"})
+    ASSERT_EQ(relievo({"build", input, "-o", std::string(input) + ".ply", "--vertices", "2000"})
                   .exit_code,
               0);
-  EXPECT_EQ(read("figure.relievo.glb"), read("scene.json.glb"));
+  EXPECT_EQ(read("figure.relievo.ply"), read("scene.json.ply"));
   ASSERT_EQ(relievo({"segment", "figure.relievo", "-o", "again.relievo"}).exit_code, 0);
   EXPECT_EQ(read("again.relievo"), read("figure.relievo"));
 }

@@ -50,10 +50,10 @@ TEST_F(Segment, AProjectBuildsAndSegmentsToTheSameAgain) {
   to_scene.insert(to_scene.end(), {"-o", "fox.json"});
   ASSERT_EQ(relievo(to_scene).exit_code, 0);
   for (const char* input : {"fox.relievo", "fox.json"})
-    ASSERT_EQ(relievo({"build", input, "-o", std::string(input) + ".glb", "--vertices", "2000"})
+    ASSERT_EQ(relievo({"build", input, "-o", std::string(input) + ".ply", "--vertices", "2000"})
                   .exit_code,
               0);
-  EXPECT_EQ(read("fox.relievo.glb"), read("fox.json.glb"));
+  EXPECT_EQ(read("fox.relievo.ply"), read("fox.json.ply"));
   const Outcome check = relievo({"check", "fox.relievo"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_NE(check.out.find("2 parts"), std::string::npos);
@@ -143,14 +143,14 @@ TEST_F(Segment, CopiesADrawingFromElsewhereOverNothing) {
 
 TEST_F(Segment, APictureIsBuiltInOneStep) {
   const Outcome built =
-      relievo({"build", "fox.png", "-o", "fox.glb", "--overlay", "seen.png", "--vertices", "2000"});
+      relievo({"build", "fox.png", "-o", "fox.ply", "--overlay", "seen.png", "--vertices", "2000"});
   ASSERT_EQ(built.exit_code, 0) << built.err;
   EXPECT_TRUE(decode_image(to_bytes(read("seen.png"))).ok());
   EXPECT_NE(built.err.find("was understood as"), std::string::npos) << built.err;
   EXPECT_NE(built.err.find("relievo segment fox.png --scribbles"), std::string::npos) << built.err;
   ASSERT_EQ(relievo({"segment", "fox.png", "-o", "fox.relievo"}).exit_code, 0);
-  ASSERT_EQ(relievo({"build", "fox.relievo", "-o", "two.glb", "--vertices", "2000"}).exit_code, 0);
-  EXPECT_EQ(read("fox.glb"), read("two.glb"));
+  ASSERT_EQ(relievo({"build", "fox.relievo", "-o", "two.ply", "--vertices", "2000"}).exit_code, 0);
+  EXPECT_EQ(read("fox.ply"), read("two.ply"));
 }
 
 TEST_F(Segment, HintsForALargePictureMayHaveItsSizeOrTheReducedOne) {

@@ -103,10 +103,10 @@ TEST(SimplifyModel, LeavesAloneWhatIsSmallEnough) {
 
 TEST(UniteParts, MakesOneOfAll) {
   const Model whole = split_hemisphere(10);
-  const Model one = unite_parts(whole);
+  const Model one = unite_parts(whole, "ball");
   ASSERT_EQ(one.parts.size(), 1U);
   EXPECT_EQ(one.parts[0].triangle_count, static_cast<int>(whole.triangles.size()));
-  EXPECT_EQ(one.parts[0].id, "left half");
+  EXPECT_EQ(one.parts[0].id, "ball");
   EXPECT_EQ(one.triangles, whole.triangles);
 }
 

@@ -28,8 +28,9 @@ for package in "$packages"/librelievo-dev_*.deb; do dpkg-deb -x "$package" "$wor
 cmake -S examples/embed -B "$work/embed" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$work/library/usr" > /dev/null
 cmake --build "$work/embed" > /dev/null
-"$work/embed/embed" examples/wolf.svg "$work/embedded.glb"
-same "$work/embedded.glb" "a program built with librelievo-dev"
+mkdir "$work/embedded"
+"$work/embed/embed" examples/wolf.svg "$work/embedded/wolf.glb"
+same "$work/embedded/wolf.glb" "a program built with librelievo-dev"
 
 if [ "$(id -u)" -ne 0 ]; then
   echo "packages: not root; nothing is installed" >&2
@@ -38,24 +39,24 @@ fi
 debootstrap --variant=minbase bookworm "$root" "${RELIEVO_MIRROR:-http://deb.debian.org/debian}" \
   > "$work/debootstrap.log" 2>&1 || { tail "$work/debootstrap.log" >&2; exit 1; }
 mount -t proc proc "$root/proc" || true
-mkdir "$root/try"
+for folder in "" archive program python; do mkdir "$root/try/$folder"; done
 cp examples/wolf.svg "$packages"/*.deb "$root/try"
 tar -C "$root/try" -xJf "$packages"/relievo-*-linux-*.tar.xz
 
 in_root() { chroot "$root" /bin/sh -euc "cd /try; $1"; }
-in_root 'relievo-*-linux-*/bin/relievo build wolf.svg -q -o archive.glb'
-same "$root/try/archive.glb" "the archive where nothing is installed"
+in_root 'relievo-*-linux-*/bin/relievo build wolf.svg -q -o archive/wolf.glb'
+same "$root/try/archive/wolf.glb" "the archive where nothing is installed"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
 in_root 'apt-get update -qq
   DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
     ./relievo_*.deb ./python3-relievo_*.deb ./relievo-editor_*.deb > install.log 2>&1 ||
     { tail install.log; exit 1; }
-  relievo build wolf.svg -q -o program.glb
-  python3 -c "import relievo; relievo.build(\"wolf.svg\").save(\"python.glb\")"
+  relievo build wolf.svg -q -o program/wolf.glb
+  python3 -c "import relievo; relievo.build(\"wolf.svg\").save(\"python/wolf.glb\")"
   test -s /usr/share/relievo/editor/index.html
   test -s /usr/share/man/man1/relievo-build.1.gz
   apt-get remove -y -qq relievo python3-relievo relievo-editor > /dev/null
   test ! -e /usr/share/relievo'
-same "$root/try/program.glb" "relievo in a clean root"
-same "$root/try/python.glb" "python3-relievo in a clean root"
+same "$root/try/program/wolf.glb" "relievo in a clean root"
+same "$root/try/python/wolf.glb" "python3-relievo in a clean root"

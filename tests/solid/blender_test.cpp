@@ -48,8 +48,8 @@ TEST(Blender, ImportsModelsAtOneSizeAndTheRightWayUp) {
   const auto solid = make_solid(sheet_of(drawn.scene, drawn.relief), drawn.drawing, {});
   ASSERT_TRUE(solid.ok());
   const TemporaryFolder folder;
-  write(folder.path() / "m.glb", *encode_glb(solid->model, &solid->drawing, 100));
-  const auto obj = encode_obj(solid->model, &solid->drawing, 100, "m");
+  write(folder.path() / "m.glb", *encode_glb(solid->model, &solid->drawing, {.size_mm = 100}));
+  const auto obj = encode_obj(solid->model, &solid->drawing, {.size_mm = 100}, "m");
   write(folder.path() / "m.obj", obj->obj);
   write(folder.path() / "m.mtl", obj->mtl);
   write(folder.path() / "m.png", obj->png);

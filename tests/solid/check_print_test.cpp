@@ -17,7 +17,8 @@ using namespace testing;
 
 constexpr double nozzle = 0.4;
 
-/// A flat bar in the plane of the drawing, between two corners, px.
+/// Adds a flat bar in the plane of the drawing, between two corners, px, to the last part if that
+/// has the given id, or else as a part.
 void add_bar(Model& model, const std::string& id, Point2 low, Point2 high) {
   const int first = static_cast<int>(model.positions.size());
   for (const Point2 p : {low, Point2{high.x, low.y}, high, Point2{low.x, high.y}}) {
@@ -25,11 +26,11 @@ void add_bar(Model& model, const std::string& id, Point2 low, Point2 high) {
     model.normals.push_back({0, 0, 1});
     model.uvs.push_back({p.x / model.width, 1 - p.y / model.height});
   }
-  ModelPart part;
-  part.id = id;
-  part.first_triangle = static_cast<int>(model.triangles.size());
-  part.triangle_count = 2;
-  model.parts.push_back(part);
+  if (model.parts.empty() || model.parts.back().id != id) {
+    model.parts.emplace_back().id = id;
+    model.parts.back().first_triangle = static_cast<int>(model.triangles.size());
+  }
+  model.parts.back().triangle_count += 2;
   model.triangles.push_back({first, first + 1, first + 2});
   model.triangles.push_back({first, first + 2, first + 3});
 }
@@ -60,7 +61,9 @@ TEST(CheckPrint, MeasuresThinWalls) {
     if (thin == nullptr) continue;
     EXPECT_EQ(thin->part, "whisker");
     EXPECT_NEAR(thin->measure, width, 0.02);
-    EXPECT_NE(describe(*thin, nozzle, 100).find("--size 13"), std::string::npos);
+    // Three nozzles make it no neck either, at a width of 1.2 mm.
+    EXPECT_EQ(thin->enough, 500);
+    EXPECT_NE(describe(*thin).find("--size 500"), std::string::npos);
   }
 }
 
@@ -79,6 +82,45 @@ TEST(CheckPrint, KnowsLimbsThatBreakOff) {
     held.base = BaseShape::plate;
     EXPECT_EQ(find(findings_of(model, held), PrintTrouble::neck), nullptr);
   }
+}
+
+/// A hilt with a blade from 3 px to `tip` px wide.
+Model sword(double tip) {
+  Model model = empty_model(100, 100);
+  for (const Point2 rows : {Point2{0, 20}, Point2{20, 23}, Point2{23, 40}})
+    add_bar(model, "hilt", {0, rows.x}, {30, rows.y});
+  constexpr int bars = 35;
+  const auto width = [tip](double s) { return (1 - s) * 3 + s * tip; };
+  for (int i = 0; i < bars; ++i) {
+    add_bar(model, "blade", {30 + 2.0 * i, 20}, {32 + 2.0 * i, 20 + width(1.0 * i / bars)});
+    model.positions[model.positions.size() - 2].y = 20 + width((i + 1.0) / bars);
+  }
+  return model;
+}
+
+TEST(CheckPrint, AdvisesASizeThatIsEnough) {
+  const Model model = sword(0.6);
+  SolidOptions options;
+  options.size = 50;
+  const auto findings = findings_of(model, options);
+  ASSERT_FALSE(findings.empty());
+  double enough = options.size;
+  for (const PrintFinding& finding : findings) {
+    EXPECT_GT(finding.enough, options.size);
+    enough = std::max(enough, finding.enough);
+  }
+  options.thickness *= enough / options.size;
+  options.size = enough;
+  for (const PrintFinding& finding : findings_of(model, options))
+    ADD_FAILURE() << describe(finding);
+}
+
+TEST(CheckPrint, AdvisesNoSizeForWhatTapersToNothing) {
+  const auto findings = findings_of(sword(0.001), {});
+  const PrintFinding* thin = find(findings, PrintTrouble::thin);
+  ASSERT_NE(thin, nullptr);
+  EXPECT_EQ(thin->enough, 0);
+  EXPECT_EQ(describe(*thin).find("--size"), std::string::npos) << describe(*thin);
 }
 
 /// A square with a smaller one beside it, of bars whose corners meet, and a bridge between them.

@@ -120,8 +120,8 @@ TEST(Figure, StandsOnAPlateOrADiscUnderItsFeet) {
     const SolidCensus found = figure_census(*solid);
     EXPECT_EQ(what_is_wrong(found), "");
     EXPECT_EQ(found.pieces, 1);
-    // The ball of radius 30 touches with a disc as wide as it is 2 mm above its lowest point.
-    const double foot = std::sqrt(30.0 * 30 - 28.0 * 28);
+    // The ball of radius 39 touches with a disc as wide as it is 2 mm above its lowest point.
+    const double foot = std::sqrt(39.0 * 39 - 37.0 * 37);
     const Model& model = solid->model;
     double low = 1e300;
     double left = 1e300;
@@ -132,7 +132,7 @@ TEST(Figure, StandsOnAPlateOrADiscUnderItsFeet) {
     const double side = 2 * foot + 20;
     const double wide = base == BaseShape::plate ? side : std::sqrt(2.0) * 2 * foot + 20;
     EXPECT_NEAR(right - left, wide, 0.05 * wide);
-    EXPECT_NEAR(extent(model).max.y - low, 62, 0.1);
+    EXPECT_NEAR(extent(model).max.y - low, 80, 0.1);
     double sole = 0;
     for (const std::array<int, 3>& t : model.triangles) {
       const Point3 a = model.positions[t[0]];
@@ -143,7 +143,7 @@ TEST(Figure, StandsOnAPlateOrADiscUnderItsFeet) {
     EXPECT_NEAR(sole, area, 0.05 * area);
     EXPECT_GT(std::abs(sole - rectangle), 1);
     rectangle = sole;
-    const double volume = 4.0 / 3 * std::numbers::pi * 30 * 30 * 30;
+    const double volume = 4.0 / 3 * std::numbers::pi * 39 * 39 * 39;
     EXPECT_NEAR(found.volume, volume + 4 * area, 0.02 * volume);
   }
 }

@@ -127,10 +127,11 @@ TEST(MakeSolid, CutsWithAWallAroundItsPlate) {
   EXPECT_EQ(found.holes, 0);
   EXPECT_NEAR(extent(cutter->model).max.z, options.thickness + options.cutter, 1e-4);
   EXPECT_NEAR(longest_side(cutter->model), 100, 0.1);
-  // A ball of 92.4 mm, its plate of 3 mm and a tube of 0.8 mm around it.
+  // Half an ellipsoid of 92.4 mm, half as high as the wall, its plate and a tube of 0.8 mm around
+  // it.
   const double r = 0.5 * (100 - 2 * (3 + 0.8));
   const auto disc = [](double radius) { return std::numbers::pi * radius * radius; };
-  const double volume = disc(r) * 2 / 3 * r + disc(50) * options.thickness +
+  const double volume = disc(r) * 2 / 3 * (0.5 * options.cutter) + disc(50) * options.thickness +
                         (disc(50) - disc(50 - 0.8)) * options.cutter;
   EXPECT_NEAR(found.volume, volume, 2e-3 * volume);
   options.hole = 3;

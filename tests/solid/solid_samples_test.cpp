@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh/placement.h"
 #include "io/support/temporary_folder.h"
 #include "samples/drawing_relief.h"
 #include "solid/solid_case.h"
@@ -60,6 +61,22 @@ TEST(SolidSamples, AreClosedOnPlates) {
   const std::string wolf = std::string(RELIEVO_EXAMPLES) + "/wolf.svg";
   for (const BaseShape base : {BaseShape::outline, BaseShape::plate, BaseShape::round})
     expect_sound(wolf, on(base));
+}
+
+TEST(SolidSamples, FiguresOnABaseHaveTheirSize) {
+  for (const char* name : {"/wolf.svg", "/griffin.svg"}) {
+    relief::ReliefOptions relief_options;
+    relief_options.hidden = true;
+    const DrawnRelief drawn = relief_of(std::string(RELIEVO_EXAMPLES) + name, relief_options);
+    for (const BaseShape base : {BaseShape::plate, BaseShape::round}) {
+      SolidOptions options = as_figure();
+      options.base = base;
+      options.size = 80;
+      const auto solid = make_solid(sheet_of(drawn.scene, drawn.relief), drawn.drawing, options);
+      ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+      EXPECT_NEAR(longest_side(solid->model), 80, 0.1) << name;
+    }
+  }
 }
 
 TEST(SolidSurvey, OfLayeredDrawingsAreClosed) {

@@ -61,7 +61,7 @@ TEST(Threemf, HoldsRandomSolidsAsManifolds) {
   for (uint64_t seed = 0; seed < 10; ++seed) {
     const auto solid = make_solid(sheet_of(random_scene(seed), 1500), {}, {});
     ASSERT_TRUE(solid.ok());
-    const auto package = encode_3mf(solid->model, nullptr, {77});
+    const auto package = encode_3mf(solid->model, nullptr, {.size_mm = 77});
     ASSERT_TRUE(package.ok());
     const ThreemfCensus census = census_of_3mf(*package);
     EXPECT_TRUE(census.manifold) << seed;
@@ -71,8 +71,9 @@ TEST(Threemf, HoldsRandomSolidsAsManifolds) {
 
 TEST(Threemf, PaintsEveryTriangleForBothKindsOfSlicers) {
   const Solid solid = painted_ball();
-  const auto package = encode_3mf(solid.model, &solid.drawing, {100, false, 5});
-  const auto other = encode_3mf(solid.model, &solid.drawing, {100, false, 5, Slicer::bambu});
+  const auto package = encode_3mf(solid.model, &solid.drawing, {.filaments = 5});
+  const auto other =
+      encode_3mf(solid.model, &solid.drawing, {.filaments = 5, .slicer = Slicer::bambu});
   ASSERT_TRUE(package.ok() && other.ok());
   const std::string text = model_text(*package);
   const std::map<std::string, int> paint = values(text, "slic3rpe:mmu_segmentation");

@@ -30,7 +30,7 @@ class Model:
                    for name in ("POSITION", "NORMAL", "TEXCOORD_0") if name in meshes[0]["attributes"]}
         counts = [len(part) for part in columns["POSITION"]]
         first = np.cumsum([0] + counts[:-1])
-        self.parts = [(node["name"], count) for node, count in zip(nodes, counts)]
+        self.parts = [(node["extras"]["part"], count) for node, count in zip(nodes, counts)]
         self.vertices = np.concatenate(columns["POSITION"])
         self.normals = np.concatenate(columns["NORMAL"])
         self.uvs = np.zeros((len(self.vertices), 2), np.float32)

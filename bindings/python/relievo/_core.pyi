@@ -128,7 +128,13 @@ class Model:
     @property
     def solid(self) -> Optional[SolidFacts]: ...
     def save(
-        self, path: Union[str, PathLike[str]], size: Optional[float], filaments: int, slicer: Slicer
+        self,
+        path: Union[str, PathLike[str]],
+        size: Optional[float],
+        grounded: bool,
+        texture_size: int,
+        filaments: int,
+        slicer: Slicer,
     ) -> None: ...
     def render(self, options: RenderOptions) -> npt.NDArray[np.uint8]: ...
 

@@ -68,15 +68,19 @@ class Model:
         path: PathLike,
         *,
         size: Optional[float] = None,
+        grounded: bool = False,
+        texture_size: int = 0,
         filaments: int = 4,
         slicer: Slicer = "prusa",
     ) -> None:
         """Writes a .glb, .obj, .ply, .stl, .usdz or .html file, or a .3mf file of a solid.
 
-        The longest side is `size` mm (default: that of a solid, else 100). A .3mf is painted with at
-        most `filaments` colours for the given slicer. A figure on a base stands upright in files to
-        print. Output is all-or-nothing, and the drawing is never overwritten."""
-        self._core.save(path, size, filaments, paint(slicer))
+        The longest side is `size` mm (default: that of a solid, else 100). `grounded` puts the lowest
+        point of a .glb, .obj or .ply at height 0. The texture is at most `texture_size` px on its
+        longer side (0: as large as the drawing). A .3mf is painted with at most `filaments` colours for
+        the given slicer. A figure on a base stands upright in files to print. Output is all-or-nothing,
+        and the drawing is never overwritten."""
+        self._core.save(path, size, grounded, texture_size, filaments, paint(slicer))
 
     def render(self, view: View = "three-quarter", **options: Unpack[RenderOptions]) -> Picture:
         """Renders a picture, height x width x 4. `yaw` and `pitch` override those of the view."""
@@ -139,13 +143,11 @@ class Relief:
         return self._session.maps(longest)
 
     def save(self, path: PathLike, *, size: float = 100) -> None:
-        """Writes the same model as `relievo build`: whole parts; the surface visible from the front for
-        .stl; a solid for .3mf."""
-        ending = pathlib.PurePath(path).suffix
-        if ending == ".3mf":
+        """Writes the same model as `relievo build`: a solid for .stl and .3mf, else whole parts."""
+        if pathlib.PurePath(path).suffix in (".stl", ".3mf"):
             self.solid(size=size).save(path)
         else:
-            self.model(visible="relief" if ending == ".stl" else "orbit").save(path, size=size)
+            self.model().save(path, size=size)
 
     def render(self, view: View = "three-quarter", **options: Unpack[RenderOptions]) -> Picture:
         """Renders the model; see Model.render."""

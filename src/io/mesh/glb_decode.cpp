@@ -172,9 +172,13 @@ void append_part(const Glb& glb, const Json& node, const GlbLimits& limits, Mode
     if (node.contains(transform))
       refuse("nodes with a transformation are not supported", transform);
   ModelPart part;
-  if (const auto name = node.find("name"); name != node.end() && name->is_string())
-    part.id = name->get<std::string>();
+  const auto take_id = [&part](const Json& object, const char* key) {
+    if (const auto id = object.find(key); id != object.end() && id->is_string())
+      part.id = id->get<std::string>();
+  };
+  take_id(node, "name");
   if (const auto extras = node.find("extras"); extras != node.end()) {
+    take_id(*extras, "part");
     if (extras->contains("c")) part.c = number((*extras)["c"], "c");
     if (extras->contains("d")) part.d = number((*extras)["d"], "d");
     if (extras->contains("flat")) part.flat = number((*extras)["flat"], "flat");

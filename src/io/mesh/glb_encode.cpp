@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 
 #include "io/files/byte_writer.h"
@@ -136,7 +137,9 @@ std::vector<int> add_indices(Asset& asset, const std::vector<Submesh>& submeshes
   return accessors;
 }
 
-void add_nodes(Asset& asset, const Model& model, const Placement& placement) {
+/// Adds a node for each part and one called `name` above them; a part alone takes that name.
+void add_nodes(Asset& asset, const Model& model, const Placement& placement,
+               const std::string& name) {
   const std::vector<Submesh> submeshes = split_by_part(model);
   const std::vector<int> positions = add_vectors<3>(
       asset, submeshes, [&](int v) { return narrow(place(placement, model.positions[v])); });
@@ -160,9 +163,14 @@ void add_nodes(Asset& asset, const Model& model, const Placement& placement) {
     OrderedJson extras = {{"part", part.id}, {"order", order}, {"c", part.c}, {"d", part.d}};
     if (part.flat != 0) extras["flat"] = part.flat;
     if (part.lean != Point2{}) extras["lean"] = {part.lean.x, part.lean.y};
-    asset.json["nodes"].push_back({{"name", part.id}, {"mesh", i}, {"extras", std::move(extras)}});
-    asset.json["scenes"][0]["nodes"].push_back(i);
+    asset.json["nodes"].push_back({{"name", submeshes.size() == 1 ? name : part.id},
+                                   {"mesh", i},
+                                   {"extras", std::move(extras)}});
   }
+  std::vector<size_t> parts(submeshes.size());
+  std::iota(parts.begin(), parts.end(), size_t{0});
+  if (parts.size() > 1) asset.json["nodes"].push_back({{"name", name}, {"children", parts}});
+  asset.json["scenes"][0]["nodes"] = {asset.json["nodes"].size() - 1};
 }
 
 Status add_texture(Asset& asset, const Model& model, const Drawing& drawing) {
@@ -184,12 +192,12 @@ Status add_texture(Asset& asset, const Model& model, const Drawing& drawing) {
   return Done{};
 }
 
-OrderedJson skeleton(const Model& model, const Placement& placement) {
+OrderedJson skeleton(const Model& model, const Placement& placement, const std::string& name) {
   const Point3 origin = placement.origin;
   const OrderedJson extras = {{"canvas", OrderedJson::array({model.width, model.height})},
                               {"origin", OrderedJson::array({origin.x, origin.y, origin.z})},
                               {"scale", placement.scale}};
-  const OrderedJson scene = {{"nodes", OrderedJson::array()}, {"extras", extras}};
+  const OrderedJson scene = {{"name", name}, {"nodes", OrderedJson::array()}, {"extras", extras}};
   const OrderedJson reflectance = {{"baseColorFactor", OrderedJson::array({1, 1, 1, 1})},
                                    {"metallicFactor", 0},
                                    {"roughnessFactor", 0.9}};
@@ -229,12 +237,13 @@ Result<Bytes> pack(Asset& asset) {
 
 }  // namespace
 
-Result<Bytes> encode_glb(const Model& model, const Drawing* drawing, double size_mm) {
-  if (Status status = check_exportable(model, size_mm); !status) return status.error();
-  const Placement placement = centred_placement(model, size_mm / 1000);
+Result<Bytes> encode_glb(const Model& model, const Drawing* drawing, const ExportOptions& options,
+                         const std::string& name) {
+  if (Status status = check_exportable(model, options.size_mm); !status) return status.error();
+  const Placement placement = centred_placement(model, options.size_mm / 1000, options.grounded);
   Asset asset;
-  asset.json = skeleton(model, placement);
-  add_nodes(asset, model, placement);
+  asset.json = skeleton(model, placement, name);
+  add_nodes(asset, model, placement, name);
   if (drawing != nullptr && !drawing->rgba.empty())
     if (Status status = add_texture(asset, model, *drawing); !status) return status.error();
   return pack(asset);

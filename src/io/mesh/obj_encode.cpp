@@ -51,9 +51,9 @@ std::string obj_file_name(const std::string& name) {
   return result;
 }
 
-Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, double size_mm,
-                            const std::string& file_name) {
-  if (Status status = check_exportable(model, size_mm); !status) return status.error();
+Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing,
+                            const ExportOptions& options, const std::string& file_name) {
+  if (Status status = check_exportable(model, options.size_mm); !status) return status.error();
   ObjFiles files;
   const std::string name = obj_file_name(file_name);
   std::string texture;
@@ -65,7 +65,8 @@ Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, double s
   }
   append_text(files.mtl, material(texture));
   append_text(files.obj, "# relievo " RELIEVO_VERSION ", millimetres\nmtllib " + name + ".mtl\n");
-  const SharedVertices shared = share_vertices(model, centred_placement(model, size_mm));
+  const SharedVertices shared =
+      share_vertices(model, centred_placement(model, options.size_mm, options.grounded));
   for (const auto& [x, y, z] : shared.places) append_line(files.obj, "v", {x, y, z});
   for (const Point2& uv : model.uvs) append_line(files.obj, "vt", {uv.x, 1 - uv.y});
   for (const Point3& normal : model.normals) {

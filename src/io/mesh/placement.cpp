@@ -27,10 +27,10 @@ Box3 extent(const Model& model) {
 
 double longest_side(const Model& model) { return longest_side(extent(model)); }
 
-Placement centred_placement(const Model& model, double size) {
+Placement centred_placement(const Model& model, double size, bool grounded) {
   const Box3 box = extent(model);
   const Point3 middle = 0.5 * (box.min + box.max);
-  return {size / longest_side(box), {middle.x, middle.y, 0}};
+  return {size / longest_side(box), {middle.x, grounded ? box.min.y : middle.y, 0}};
 }
 
 Placement octant_placement(const Model& model, double size, bool standing) {

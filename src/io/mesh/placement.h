@@ -25,9 +25,9 @@ inline Point3 place(const Placement& placement, Point3 p) {
   return placement.scale * ((placement.standing ? stood_up(p) : p) - placement.origin);
 }
 
-/// Returns the placement whose longest side is `size`, with the middle at x = y = 0 and the drawing
-/// plane at z = 0.
-Placement centred_placement(const Model& model, double size);
+/// Returns the placement whose longest side is `size`, with the middle at x = y = 0, or the lowest
+/// point at y = 0 if `grounded`, and the drawing plane at z = 0.
+Placement centred_placement(const Model& model, double size, bool grounded = false);
 
 /// Returns the placement whose longest side is `size`, lying or standing in the positive octant and
 /// touching its three planes.

@@ -30,13 +30,13 @@ int pixel_at(double coordinate, int size) {
 
 }  // namespace
 
-Result<Bytes> encode_ply(const Model& model, const Drawing* drawing, double size_mm,
+Result<Bytes> encode_ply(const Model& model, const Drawing* drawing, const ExportOptions& options,
                          const std::string& texture_file) {
-  if (Status status = check_exportable(model, size_mm); !status) return status.error();
+  if (Status status = check_exportable(model, options.size_mm); !status) return status.error();
   if (texture_file.find_first_of("\r\n") != std::string::npos)
     return Error{ErrorCode::usage, "the name of the texture must be one line", texture_file};
   const Image8 texture = drawing != nullptr ? relief::model_texture(model, *drawing) : Image8{};
-  const Placement placement = centred_placement(model, size_mm);
+  const Placement placement = centred_placement(model, options.size_mm, options.grounded);
   Bytes ply;
   append_text(ply, header(model, !texture.empty(), texture_file));
   for (size_t v = 0; v < model.positions.size(); ++v) {

@@ -88,8 +88,7 @@ void append_array(Bytes& usda, const char* declaration, const char* end, Fill fi
 }
 
 void append_usd_mesh(Bytes& usda, const Model& model, double size_mm) {
-  Placement placement = centred_placement(model, size_mm / 1000);
-  placement.origin.y = extent(model).min.y;
+  const Placement placement = centred_placement(model, size_mm / 1000, true);
   constexpr const char* per_vertex = " (interpolation = \"vertex\")";
   append_text(usda,
               "    def Mesh \"mesh\" (prepend apiSchemas = [\"MaterialBindingAPI\"])\n    {\n"

@@ -53,9 +53,10 @@ struct ParsedGlb {
 };
 
 TEST(Glb, PartsAreNodesWithTheirNamesAndValues) {
-  const ParsedGlb glb(*encode_glb(split_hemisphere(10), nullptr));
-  ASSERT_EQ(glb.json["nodes"].size(), 2U);
-  EXPECT_EQ(glb.json["scenes"][0]["nodes"], Json({0, 1}));
+  const ParsedGlb glb(*encode_glb(split_hemisphere(10), nullptr, {}, "ball"));
+  ASSERT_EQ(glb.json["nodes"].size(), 3U);
+  EXPECT_EQ(glb.json["scenes"][0]["nodes"], Json::array({2}));
+  EXPECT_EQ(glb.json["nodes"][2], Json({{"name", "ball"}, {"children", {0, 1}}}));
   EXPECT_EQ(glb.json["nodes"][0]["name"], "left half");
   EXPECT_EQ(glb.json["nodes"][1]["extras"], Json({{"part", "right half"},
                                                   {"order", 1},
@@ -69,9 +70,30 @@ TEST(Glb, PartsAreNodesWithTheirNamesAndValues) {
   EXPECT_FALSE(glb.json.contains("images"));
 }
 
+TEST(Glb, PartAloneHasTheNameOfTheFile) {
+  const Bytes bytes = *encode_glb(hemisphere(10), nullptr, {}, "ball");
+  const ParsedGlb glb(bytes);
+  ASSERT_EQ(glb.json["nodes"].size(), 1U);
+  EXPECT_EQ(glb.json["scenes"][0]["nodes"], Json::array({0}));
+  EXPECT_EQ(glb.json["nodes"][0]["name"], "ball");
+  EXPECT_EQ(decode_glb(bytes)->model.parts[0].id, hemisphere(10).parts[0].id);
+}
+
+TEST(Glb, GroundedModelStandsOnTheGround) {
+  for (const bool grounded : {false, true}) {
+    const ParsedGlb glb(
+        *encode_glb(hemisphere(10), nullptr, {.size_mm = 50, .grounded = grounded}));
+    const size_t positions = glb.primitive(0)["attributes"]["POSITION"];
+    const Json accessor = glb.json["accessors"][positions];
+    EXPECT_NEAR(accessor["min"][1].get<double>(), grounded ? 0 : -0.025, 1e-8);
+    EXPECT_NEAR(accessor["max"][1].get<double>(), grounded ? 0.05 : 0.025, 1e-8);
+    EXPECT_NEAR(accessor["min"][0].get<double>(), -0.025, 1e-8);
+  }
+}
+
 TEST(Glb, VerticesAreCentredMetresAndMatchTheModel) {
   const Model model = split_hemisphere(10);
-  const ParsedGlb glb(*encode_glb(model, nullptr, 50));
+  const ParsedGlb glb(*encode_glb(model, nullptr, {.size_mm = 50}));
   const double scale = 0.05 / 20;
   for (size_t part = 0; part < 2; ++part) {
     const Json attributes = glb.primitive(part)["attributes"];
@@ -161,7 +183,7 @@ TEST(Glb, SameModelGivesSameBytes) {
 TEST(Glb, ReadsWhatItWrites) {
   const Drawing drawing = quarters();
   const Model model = split_hemisphere(10);
-  const Result<relief::DrawnModel> read = decode_glb(*encode_glb(model, &drawing, 80));
+  const Result<relief::DrawnModel> read = decode_glb(*encode_glb(model, &drawing, {.size_mm = 80}));
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_EQ(read->drawing.rgba.pixels, drawing.rgba.pixels);
   EXPECT_EQ(read->model.width, model.width);
@@ -185,8 +207,8 @@ TEST(Glb, ReadsWhatItWrites) {
 
 TEST(Glb, RefusesModelsThatAreNone) {
   EXPECT_EQ(encode_glb(empty_model(5, 5), nullptr).error().code, ErrorCode::bad_input);
-  EXPECT_EQ(encode_glb(hemisphere(5), nullptr, 0).error().code, ErrorCode::usage);
-  EXPECT_EQ(encode_glb(hemisphere(5), nullptr, NAN).error().code, ErrorCode::usage);
+  EXPECT_EQ(encode_glb(hemisphere(5), nullptr, {.size_mm = 0}).error().code, ErrorCode::usage);
+  EXPECT_EQ(encode_glb(hemisphere(5), nullptr, {.size_mm = NAN}).error().code, ErrorCode::usage);
   Model broken = hemisphere(5);
   broken.positions[7].z = NAN;
   const Result<Bytes> refused = encode_glb(broken, nullptr);

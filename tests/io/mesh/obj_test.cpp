@@ -65,7 +65,7 @@ struct ParsedObj {
 
 TEST(Obj, GeometryMatchesTheModel) {
   const Model model = split_hemisphere(10);
-  const ParsedObj obj(encode_obj(model, nullptr, 40, "m")->obj);
+  const ParsedObj obj(encode_obj(model, nullptr, {.size_mm = 40}, "m")->obj);
   ASSERT_EQ(obj.v.size(), model.positions.size());
   for (size_t i = 0; i < obj.v.size(); ++i) {
     ASSERT_NEAR(obj.v[i][0], 2 * (model.positions[i].x - 12.5), 1e-5);
@@ -96,7 +96,7 @@ TEST(Obj, PositionsAreSharedWhereAttributesDiffer) {
       }
       v = copy[v];
     }
-  const ParsedObj obj(encode_obj(model, nullptr, 40, "m")->obj);
+  const ParsedObj obj(encode_obj(model, nullptr, {.size_mm = 40}, "m")->obj);
   EXPECT_EQ(obj.v.size(), places);
   EXPECT_EQ(obj.vn.size(), model.normals.size());
   std::set<std::pair<int, int>> edges;
@@ -112,7 +112,7 @@ TEST(Obj, PositionsAreSharedWhereAttributesDiffer) {
 
 TEST(Obj, PartsAreObjectsWithTheMaterial) {
   const Model model = split_hemisphere(10);
-  const ParsedObj obj(encode_obj(model, nullptr, 100, "m")->obj);
+  const ParsedObj obj(encode_obj(model, nullptr, {.size_mm = 100}, "m")->obj);
   EXPECT_EQ(obj.faces.front().object, "left_half");
   EXPECT_EQ(obj.faces[model.parts[1].first_triangle - 1].object, "left_half");
   EXPECT_EQ(obj.faces[model.parts[1].first_triangle].object, "right_half");
@@ -121,7 +121,8 @@ TEST(Obj, PartsAreObjectsWithTheMaterial) {
 
 TEST(Obj, FilesReferToEachOtherByHarmlessNames) {
   const Drawing drawing = quarters();
-  const Result<ObjFiles> files = encode_obj(hemisphere(5), &drawing, 100, "my wolf\n#1");
+  const Result<ObjFiles> files =
+      encode_obj(hemisphere(5), &drawing, {.size_mm = 100}, "my wolf\n#1");
   ASSERT_TRUE(files.ok());
   EXPECT_EQ(ParsedObj(files->obj).library, "my_wolf__1.mtl");
   EXPECT_NE(to_text(files->mtl).find("\nmap_Kd my_wolf__1.png\n"), std::string::npos);

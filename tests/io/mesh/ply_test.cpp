@@ -18,7 +18,7 @@ std::string header_of(const Bytes& ply) {
 TEST(Ply, HeaderDescribesTheBody) {
   const Model model = split_hemisphere(10);
   const Drawing drawing = quarters();
-  const std::string header = header_of(*encode_ply(model, &drawing, 100, "wolf.png"));
+  const std::string header = header_of(*encode_ply(model, &drawing, {.size_mm = 100}, "wolf.png"));
   EXPECT_EQ(header.rfind("ply\nformat binary_little_endian 1.0\n", 0), 0U);
   EXPECT_NE(header.find("\ncomment TextureFile wolf.png\n"), std::string::npos);
   EXPECT_NE(header.find("element vertex " + std::to_string(model.positions.size()) +
@@ -33,7 +33,7 @@ TEST(Ply, HeaderDescribesTheBody) {
 TEST(Ply, BodyMatchesTheModelAndTheDrawing) {
   const Model model = split_hemisphere(10);
   const Drawing drawing = quarters();
-  const Bytes ply = *encode_ply(model, &drawing, 20);
+  const Bytes ply = *encode_ply(model, &drawing, {.size_mm = 20});
   ByteReader reader(ply);
   reader.take_text(header_of(ply).size());
   for (size_t v = 0; v < model.positions.size(); ++v) {
@@ -57,7 +57,8 @@ TEST(Ply, BodyMatchesTheModelAndTheDrawing) {
 }
 
 TEST(Ply, ATextureNameCannotForgeTheHeader) {
-  const Result<Bytes> refused = encode_ply(hemisphere(5), nullptr, 100, "a\nelement face 9");
+  const Result<Bytes> refused =
+      encode_ply(hemisphere(5), nullptr, {.size_mm = 100}, "a\nelement face 9");
   EXPECT_EQ(refused.error().code, ErrorCode::usage);
 }
 

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   unused_vertices.uvs.push_back({0, 0});
   const Status status = write_files({
       {folder / "plain.glb", *encode_glb(split_hemisphere(10), nullptr)},
-      {folder / "textured.glb", *encode_glb(composite(), &drawing, 250)},
+      {folder / "textured.glb", *encode_glb(composite(), &drawing, {.size_mm = 250})},
       {folder / "large.glb", *encode_glb(hemisphere(100, 190), &drawing)},
       {folder / "unused.glb", *encode_glb(unused_vertices, &drawing)},
   });
