@@ -24,6 +24,7 @@ struct CommonArguments {
   double timeout = 0;   ///< s; 0: none
   int threads = 0;      ///< 0: one per processor
   bool connect = true;  ///< guess how parts of a layered drawing connect if it does not say so
+  std::optional<bool> pixel_art{};  ///< default: told by colours and steps
 };
 
 /// A cue on the part with the given id, which is looked up once the scene is known.
@@ -75,7 +76,7 @@ struct BuildArguments {
   std::string convergence;
   std::string report;
   bool normal_y_down = false;
-  int map_size = 2048;        ///< longest side of the maps, px
+  int map_size = 0;           ///< longest side of the maps, px; 0: the default
   double px_per_mm = 10;      ///< of the carve map
   int preview_size = 1200;    ///< longest side, px
   bool print_report = false;  ///< on standard output
@@ -117,7 +118,7 @@ struct SequenceArguments {
   std::vector<std::string> make = {"colour", "normal", "depth"};  ///< outputs for each frame
   std::optional<ImageSize> grid;  ///< columns and rows of a sheet without a list
   int columns = 0;                ///< of the sheet to write; 0: one file per frame
-  int map_size = 1024;            ///< longest side of a drawing's maps, px
+  int map_size = 0;               ///< longest side of a drawing's maps, px; 0: the default
   bool normal_y_down = false;
 };
 

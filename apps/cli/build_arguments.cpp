@@ -52,7 +52,10 @@ void add_level_options(CLI::App& app, BuildArguments& build) {
 
 void add_picture_options(CLI::App& app, BuildArguments& build) {
   add_normal_y(app, build.normal_y_down);
-  app.add_option("--map-size", build.map_size, "Longest side of the maps in px (default 2048)")
+  app.add_option(
+         "--map-size", build.map_size,
+         "Longest side of the maps in px (default 2048; of pixel art the largest multiple of "
+         "its size up to that)")
       ->check(CLI::Range(1, 16384));
   app.add_option("--px-per-mm", build.px_per_mm, "Resolution of the carve map (default 10)")
       ->check(within(0.1, 1000.0));
@@ -133,6 +136,7 @@ void add_build(CLI::App& main, Command& chosen) {
 
 void add_build_choices(CLI::App& app, BuildArguments& build) {
   add_connect(app, build.common);
+  add_pixel_art(app, build.common);
   add_print_options(app, build);
   add_level_options(app, build);
   add_picture_options(app, build);

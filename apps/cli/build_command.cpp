@@ -10,6 +10,7 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
+#include "apps/cli/pixel_art.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
 #include "io/files/number_text.h"
@@ -23,11 +24,14 @@
 #include "relief/maps/relief_maps.h"
 #include "relievo/export.h"
 #include "relievo/maps.h"
+#include "relievo/pixel_art.h"
 
 namespace relievo::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int usual_map_side = 2048;  ///< px
 
 /// The results of a build.
 struct Products {
@@ -160,25 +164,28 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
   return Done{};
 }
 
-Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene,
+Result<ReliefMaps> make_maps(const BuildArguments& build, const SceneInput& input,
                              const relief::Relief& relief, const RunContext& context) {
-  const ImageSize size = fitted_size(scene.width, scene.height, build.map_size);
+  const Scene& scene = input.scene;
+  const ImageSize size =
+      fitted_size(scene.width, scene.height,
+                  build.map_size > 0 ? build.map_size : map_side(input.drawing, usual_map_side));
   return relief::rasterize_relief({relief.layers, relief.inflation, relief.ordering, scene},
                                   size.width, size.height, context);
 }
 
-Status add_maps(Outputs& outputs, const BuildArguments& build, const Scene& scene,
+Status add_maps(Outputs& outputs, const BuildArguments& build, const SceneInput& input,
                 const relief::Relief& relief, const RunContext& context) {
   if (build.normal_map.empty() && build.depth_map.empty() && build.part_map.empty() &&
       build.occlusion_map.empty())
     return Done{};
-  const auto maps = make_maps(build, scene, relief, context);
+  const auto maps = make_maps(build, input, relief, context);
   if (!maps) return maps.error();
   outputs.add(build.normal_map, [&] { return encode_normal_map(*maps, build.normal_y_down); });
   outputs.add(build.depth_map, [&] { return encode_depth_map(*maps); });
   outputs.add(build.part_map, [&] { return encode_part_map(*maps); });
   outputs.add(build.occlusion_map, [&] {
-    const double pixel = scene.width / maps->height.width;
+    const double pixel = input.scene.width / maps->height.width;
     return encode_png(share_image(relief::ambient_occlusion(*maps, pixel)));
   });
   return outputs.status;
@@ -210,9 +217,14 @@ Result<Products> make_products(const BuildArguments& build, const InputFile& fil
                                const RunContext& context) {
   Products products;
   if (Status s = finish_drawing(file, input); !s) return s.error();
+  settle_pixel_art(build.common, input.drawing);
+  if (build.texture_size > 0 && input.drawing.pixel_art > 0)
+    products.warnings.emplace_back(
+        "the texture of pixel art keeps its size: averages would be further colours; to reduce it "
+        "all the same, add --pixel-art no");
   if (Status s = add_models(products, build, input, relief, context); !s) return s.error();
   Outputs& outputs = products.outputs;
-  if (Status s = add_maps(outputs, build, input.scene, relief, context); !s) return s.error();
+  if (Status s = add_maps(outputs, build, input, relief, context); !s) return s.error();
   outputs.add(build.convergence, [&] { return draw_convergence(relief, input.scene, context); });
   outputs.add(build.overlay, [&] { return draw_overlay(input.scene, {}, input.drawing.rgba); });
   if (!outputs.status) return outputs.status.error();

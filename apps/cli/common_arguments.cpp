@@ -57,6 +57,13 @@ void add_size(CLI::App& app, double& mm, double least, double most) {
       "--size", read, "Longest side in mm, or with a unit: 80mm, 8cm, 1.8m or 3in (default 100)");
 }
 
+void add_pixel_art(CLI::App& app, CommonArguments& common) {
+  add_choice(app, "--pixel-art", common.pixel_art,
+             "Whether the drawing is pixel art, which keeps its pixels and colours: yes or no "
+             "(default: told by its colours and steps)",
+             {{"yes", true}, {"no", false}});
+}
+
 void add_normal_y(CLI::App& app, bool& normal_y_down) {
   add_choice(app, "--normal-y", normal_y_down,
              "Green of the normal map: + is up (OpenGL), - is down (DirectX)",

@@ -44,6 +44,9 @@ void add_connect(CLI::App& app, CommonArguments& common);
 /// Adds --size, a length in [least, most] mm with or without a unit: 80, 80mm, 8cm, 1.8m or 3in.
 void add_size(CLI::App& app, double& mm, double least, double most);
 
+/// Adds --pixel-art.
+void add_pixel_art(CLI::App& app, CommonArguments& common);
+
 /// Adds --normal-y.
 void add_normal_y(CLI::App& app, bool& normal_y_down);
 

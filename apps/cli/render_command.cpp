@@ -8,6 +8,7 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
+#include "apps/cli/pixel_art.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/relief_arguments.h"
 #include "io/files/paths.h"
@@ -42,6 +43,7 @@ Result<Subject> build_model(const InputFile& input, const RenderArguments& rende
   if (Status s = check_cost(render.relief.options); !s) return s.error();
   auto loaded = load_scene(input, render.common.connect, context);
   if (!loaded) return loaded.error();
+  settle_pixel_art(render.common, loaded->drawing);
   const auto relief = reconstruct(*loaded, render.relief, context);
   print_warnings(loaded->warnings);
   if (!relief) return relief.error();
@@ -58,9 +60,10 @@ Status run_render(const RenderArguments& render, Interruption& interruption) {
   if (!input) return input.error();
   Progress progress;
   const RunContext context = progress.context(interruption.flag());
-  const auto subject = sniff(input->bytes) == InputKind::glb ? load_model(*input)
-                                                             : build_model(*input, render, context);
+  auto subject = sniff(input->bytes) == InputKind::glb ? load_model(*input)
+                                                       : build_model(*input, render, context);
   if (!subject) return subject.error();
+  settle_pixel_art(render.common, subject->drawn.drawing);
   Outputs outputs;
   outputs.add(render.output, [&] {
     return draw_picture(subject->drawn.model, subject->drawn.drawing, render, context);
@@ -77,6 +80,7 @@ void add_render(CLI::App& main, Command& chosen) {
   CLI::App& app = *main.add_subcommand("render", render_help);
   add_common(app, render->common, "Model (.glb), or any input of build; - reads standard input");
   add_connect(app, render->common);
+  add_pixel_art(app, render->common);
   add_path(app, "-o,--output", render->output, "Picture (.png)")->required();
   add_choice(app, "--view", render->view, "front, three-quarter (the default), side or sheet",
              {{"front", View::front},

@@ -29,6 +29,7 @@
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/compose.h"
 #include "relievo/files.h"
+#include "relievo/pixel_art.h"
 #include "understanding/labels/segment_drawing.h"
 #include "understanding/marks/make_parts.h"
 #include "understanding/scene/understand_drawing.h"
@@ -71,7 +72,7 @@ struct SegmentArguments {
 struct SegmentInput {
   std::string drawing_file;  ///< its path or "-"; empty if a project holds it or it was made here
   Project project;           ///< new, or as it was read; it has a segmentation
-  ReducedImage picture;      ///< the drawing as its parts are sought
+  FittedImage picture;       ///< the drawing as its parts are sought
   understanding::Segmentation found;  ///< empty if the project has the labels
   std::string first_frame{};          ///< a warning about an animation, or empty
 };
@@ -107,7 +108,7 @@ SegmentInput from_picture(const InputFile& file) {
   return input;
 }
 
-/// Keeps a picture in place of a file: of vectors or reduced, since labels belong to pixels and a
+/// Keeps a picture in place of a file: of vectors or fitted, since labels belong to pixels and a
 /// build reads the same, or of HEIC, which browsers do not read.
 Result<SegmentInput> from_picture_of(const InputFile& file, Result<Bytes> picture) {
   if (!picture) return picture.error();
@@ -118,13 +119,14 @@ Result<SegmentInput> from_picture_of(const InputFile& file, Result<Bytes> pictur
   return input;
 }
 
-/// Decodes a picture. Scenes name its file, even where a project keeps it reduced.
+/// Decodes a picture. Scenes name its file, even where a project keeps it fitted.
 Result<SegmentInput> from_flat(const InputFile& file) {
-  auto picture = decode_reduced(file.bytes);
+  auto picture = decode_fitted(file.bytes);
   if (!picture) return picture.error();
   const bool is_heic = is_heif(file.bytes) && !is_avif(file.bytes);
-  auto input = is_heic || picture->factor > 1 ? from_picture_of(file, encode_png(picture->rgba))
-                                              : Result<SegmentInput>(from_picture(file));
+  const bool is_other = is_heic || picture->factor > 1 || picture->times > 1;
+  auto input = is_other ? from_picture_of(file, encode_png(picture->rgba))
+                        : Result<SegmentInput>(from_picture(file));
   if (!input) return input;
   if (!is_heic) input->drawing_file = file.name;
   input->picture = std::move(*picture);
@@ -203,7 +205,7 @@ Result<SegmentInput> load(const SegmentArguments& segment, const InputFile& file
   const Image16& labels =
       input->found.labels.empty() ? input->project.segmentation->labels : input->found.labels;
   if (labels.width != input->picture.rgba.width || labels.height != input->picture.rgba.height)
-    return wrong_size(input->picture.rgba, segment.labels);
+    return wrong_size(input->picture, segment.labels);
   return input;
 }
 
@@ -218,17 +220,22 @@ Project project_of(const SegmentInput& input, const understanding::Understanding
   return project;
 }
 
+Drawing drawing_of(const SegmentArguments& segment, const SegmentInput& input) {
+  return {input.picture.rgba, own_pixels(input.picture.rgba, segment.common.pixel_art)};
+}
+
 /// Makes all files that the command writes, the main one in the format given by its extension.
-Outputs outputs_of(const SegmentArguments& segment, const SegmentInput& input,
-                   const understanding::Understanding& understanding, double milliseconds) {
+Outputs outputs_of(const SegmentArguments& segment, const InputFile& file,
+                   const SegmentInput& input, const understanding::Understanding& understanding,
+                   double milliseconds) {
   Outputs outputs;
+  const Bytes& drawing = input.drawing_file.empty() ? input.project.drawing.bytes : file.bytes;
   const fs::path ending = fs::path(segment.output).extension();
   if (ending == ".json")
-    add_scene(outputs, segment.output, understanding.scene,
-              {input.drawing_file, input.project.drawing.bytes});
+    add_scene(outputs, segment.output, understanding.scene, {input.drawing_file, drawing});
   else
     outputs.add(segment.output, [&] {
-      return ending == ".psd" ? encode_part_layers(understanding.scene, input.picture.rgba)
+      return ending == ".psd" ? encode_part_layers(understanding.scene, drawing_of(segment, input))
                               : encode_project(project_of(input, understanding));
     });
   outputs.add(segment.overlay, [&] {
@@ -308,12 +315,12 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   if (!understood) return understood.error();
   if (understood->scene.parts.empty())
     return Error{ErrorCode::bad_input, "has no parts: all were removed in the project", ""};
-  const Outputs made = outputs_of(segment, *loaded, *understood, watch.milliseconds());
+  const Outputs made = outputs_of(segment, *file, *loaded, *understood, watch.milliseconds());
   if (Status status = save(made, inputs, interruption); !status) return status;
   if (*layers && !is_svg) print_warnings((*layers)->warnings);
   print_warnings(understood->warnings);
   if (!loaded->first_frame.empty()) print_warnings({loaded->first_frame});
-  if (loaded->picture.factor > 1) print_note(reduction_note(loaded->picture));
+  if (const std::string note = fitting_note(loaded->picture); !note.empty()) print_note(note);
   print_note(summary(understood->scene));
   for (const OutputFile& written : made.files) print_result(written.path.string());
   return Done{};
@@ -327,6 +334,7 @@ void add_segment(CLI::App& main, Command& chosen) {
   add_common(app, segment->common,
              "Drawing (picture, SVG, OpenRaster, PSD, folder of pictures), or a project, whose "
              "corrections are applied");
+  add_pixel_art(app, segment->common);
   auto* labels =
       add_path(app, "--labels", segment->labels,
                "Grey or palette picture whose values number the parts; 0 is background (.png)");

@@ -9,6 +9,7 @@
 #include "io/image/row_average.h"
 #include "io/scribbles/scribble_image.h"
 #include "io/scribbles/scribbles_json.h"
+#include "kernel/image/enlarge.h"
 #include "relievo/files.h"
 
 namespace relievo::cli {
@@ -28,11 +29,15 @@ bool has_size_of(const Image<T>& image, const Image8& drawing) {
   return image.width == drawing.width && image.height == drawing.height;
 }
 
-/// Takes the pixel in the middle of each square of an image as large as the drawing's file, since
-/// colours and labels have no averages. Returns other images as they are.
+/// Fits an image as large as the drawing's file as the drawing was fitted. Where that was reduced,
+/// takes the pixel in the middle of each square, since colours and labels have no averages. Returns
+/// other images as they are.
 template <class T>
-Image<T> sampled(Image<T> image, const ReducedImage& drawing) {
+Image<T> sampled(Image<T> image, const FittedImage& drawing) {
   const int factor = drawing.factor;
+  const bool is_small = drawing.times > 1 && drawing.times * image.width == drawing.rgba.width &&
+                        drawing.times * image.height == drawing.rgba.height;
+  if (is_small) return enlarged(std::move(image), drawing.times);
   if (has_size_of(image, drawing.rgba) || reduced_side(image.width, factor) != drawing.rgba.width ||
       reduced_side(image.height, factor) != drawing.rgba.height)
     return image;
@@ -47,12 +52,12 @@ Image<T> sampled(Image<T> image, const ReducedImage& drawing) {
 
 /// Returns the image, or an error where it is not as large as the drawing.
 template <class T>
-Result<Image<T>> of_same_size(Image<T> image, const Image8& drawing, const std::string& name) {
-  if (!has_size_of(image, drawing)) return wrong_size(drawing, name);
+Result<Image<T>> of_same_size(Image<T> image, const FittedImage& drawing, const std::string& name) {
+  if (!has_size_of(image, drawing.rgba)) return wrong_size(drawing, name);
   return image;
 }
 
-Result<understanding::Scribbles> strokes_of(const Bytes& bytes, const ReducedImage& drawing) {
+Result<understanding::Scribbles> strokes_of(const Bytes& bytes, const FittedImage& drawing) {
   if (is_png(bytes)) {
     auto picture = decode_png(bytes);
     if (!picture) return picture.error();
@@ -61,36 +66,36 @@ Result<understanding::Scribbles> strokes_of(const Bytes& bytes, const ReducedIma
   }
   auto scribbles = read_scribbles(text_of(bytes));
   if (!scribbles) return scribbles;
+  const double scale = static_cast<double>(drawing.times) / drawing.factor;
   for (understanding::Scribble& stroke : scribbles->strokes) {
-    stroke.width /= drawing.factor;
-    for (Point2& point : stroke.points) point = (1.0 / drawing.factor) * point;
+    stroke.width *= scale;
+    for (Point2& point : stroke.points) point = scale * point;
   }
   return scribbles;
 }
 
 }  // namespace
 
-Error wrong_size(const Image8& drawing, const std::string& name) {
+Error wrong_size(const FittedImage& drawing, const std::string& name) {
   return {ErrorCode::bad_input,
-          "must be as large as the drawing, " + std::to_string(drawing.width) + " x " +
-              std::to_string(drawing.height) + " pixels",
+          "must be as large as the drawing, " + std::to_string(drawing.rgba.width / drawing.times) +
+              " x " + std::to_string(drawing.rgba.height / drawing.times) + " pixels",
           name};
 }
 
-Result<Image16> read_labels(const std::string& name, const ReducedImage& drawing) {
+Result<Image16> read_labels(const std::string& name, const FittedImage& drawing) {
   auto labels = read_as(name, [](const Bytes& bytes) { return decode_png_values(bytes); });
   if (!labels) return labels.error();
-  return of_same_size(sampled(std::move(*labels), drawing), drawing.rgba, name);
+  return of_same_size(sampled(std::move(*labels), drawing), drawing, name);
 }
 
-Result<Image8> read_mask(const std::string& name, const ReducedImage& drawing) {
-  auto mask = read_as(name, [](const Bytes& bytes) { return decode_reduced(bytes); });
+Result<Image8> read_mask(const std::string& name, const FittedImage& drawing) {
+  auto mask = read_as(name, [](const Bytes& bytes) { return decode_fitted(bytes); });
   if (!mask) return mask.error();
-  return of_same_size(std::move(mask->rgba), drawing.rgba, name);
+  return of_same_size(std::move(mask->rgba), drawing, name);
 }
 
-Result<understanding::Scribbles> read_strokes(const std::string& name,
-                                              const ReducedImage& drawing) {
+Result<understanding::Scribbles> read_strokes(const std::string& name, const FittedImage& drawing) {
   return read_as(name, [&](const Bytes& bytes) { return strokes_of(bytes, drawing); });
 }
 

@@ -51,7 +51,7 @@ Result<Outputs> layer_outputs(const std::string& output, const std::string& over
     add_scene(outputs, output, drawing.scene, *picture);
   } else {
     outputs.add(output, [&] {
-      return ending == ".psd" ? encode_part_layers(drawing.scene, drawing.drawing.rgba)
+      return ending == ".psd" ? encode_part_layers(drawing.scene, drawing.drawing)
                               : encode_layers(file, drawing);
     });
   }

@@ -4,11 +4,13 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <mutex>
+#include <optional>
 
 #include "bindings/python/arrays.h"
 #include "bindings/python/model.h"
 #include "bindings/python/scene.h"
 #include "bindings/python/work.h"
+#include "relievo/pixel_art.h"
 #include "relievo/read.h"
 #include "relievo/session.h"
 
@@ -151,8 +153,9 @@ void bind_render_options(py::module_& module) {
           });
 }
 
-py::tuple read(const std::filesystem::path& path) {
+py::tuple read(const std::filesystem::path& path, std::optional<bool> pixel_art) {
   DrawnScene drawn = run([&](const RunContext& context) { return read_drawing(path, context); });
+  if (pixel_art) drawn.drawing.pixel_art = own_pixels(drawn.drawing.rgba, pixel_art);
   auto source = std::make_shared<Source>(Source{std::move(drawn.drawing), std::move(drawn.files)});
   return py::make_tuple(to_python(drawn.scene), std::move(source), drawn.warnings, drawn.proposed);
 }
@@ -164,10 +167,13 @@ void bind_sessions(py::module_& module) {
   bind_solid_options(module);
   bind_render_options(module);
   py::class_<Source, SharedSource>(module, "Source")
-      .def(py::init([](const py::object& drawing) {
-             return Source{to_drawing(drawing), {}};
+      .def(py::init([](const py::object& array, std::optional<bool> pixel_art) {
+             Source source{to_drawing(array), {}};
+             source.drawing.pixel_art = own_pixels(source.drawing.rgba, pixel_art);
+             return source;
            }),
-           py::arg("drawing") = py::none())
+           py::arg("drawing") = py::none(), py::arg("pixel_art") = py::none())
+      .def("map_side", [](const Source& self, int usual) { return map_side(self.drawing, usual); })
       .def_property_readonly("drawing", [](const py::object& self) {
         return view_image(self.cast<Source&>().drawing.rgba, self);
       });

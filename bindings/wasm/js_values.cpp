@@ -1,5 +1,7 @@
 #include "bindings/wasm/js_values.h"
 
+#include "relievo/pixel_art.h"
+
 namespace relievo::wasm {
 namespace {
 
@@ -43,6 +45,13 @@ Image8 to_image(const val& rgba, int width, int height) {
   image.channels = 4;
   image.pixels = to_bytes(rgba);
   return image;
+}
+
+Drawing to_drawing(const val& rgba, int width, int height) {
+  if (width < 1 || height < 1) return {};
+  Drawing drawing{to_image(rgba, width, height)};
+  drawing.pixel_art = own_pixels(drawing.rgba);
+  return drawing;
 }
 
 val to_js(const Bytes& bytes) { return copy("Uint8Array", bytes); }

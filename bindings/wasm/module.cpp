@@ -144,7 +144,7 @@ val import_layers(const val& files) {
 val encode_layers(const std::string& text, const val& rgba, int width, int height) {
   const auto scene = read_scene(text);
   if (!scene) return failure(scene.error());
-  const auto bytes = encode_part_layers(*scene, to_image(rgba, width, height));
+  const auto bytes = encode_part_layers(*scene, to_drawing(rgba, width, height));
   if (!bytes) return failure(bytes.error());
   val result = val::object();
   result.set("bytes", to_js(*bytes));

@@ -11,6 +11,7 @@
 #include "relief/finish/finish_model.h"
 #include "relief/finish/hidden_patches.h"
 #include "relievo/export.h"
+#include "relievo/pixel_art.h"
 #include "solid/check_print.h"
 
 namespace relievo::wasm {
@@ -114,7 +115,8 @@ val runs(const std::vector<ModelPart>& parts, const relief::HiddenPatches& hidde
   return list;
 }
 
-val to_js(const Model& model, const relief::HiddenPatches& hidden) {
+/// `drawing`: the one on the model.
+val to_js(const Model& model, const relief::HiddenPatches& hidden, const Drawing& drawing) {
   std::vector<uint32_t> corners;
   corners.reserve(3 * model.triangles.size());
   for (const std::array<int, 3>& triangle : model.triangles)
@@ -126,6 +128,7 @@ val to_js(const Model& model, const relief::HiddenPatches& hidden) {
   surface.set("triangles", wasm::to_js(corners));
   surface.set("colors", wasm::to_js(relief::hidden_colours(model, hidden)));
   surface.set("parts", runs(model.parts, hidden));
+  surface.set("pixelArt", drawing.pixel_art > 0);
   return surface;
 }
 
@@ -192,7 +195,8 @@ val Reconstruction::surface(const std::string& visibility, double tolerance,
   options.visibility = visibility_named(visibility);
   options.rim_tolerance = tolerance;
   const auto model = session_.model(options, field_named(field));
-  return model ? to_js(*model, relief::hidden_patches(*model, shown_)) : failure(model.error());
+  return model ? to_js(*model, relief::hidden_patches(*model, shown_), shown_)
+               : failure(model.error());
 }
 
 val Reconstruction::dressed(double tolerance) const {
@@ -202,7 +206,7 @@ val Reconstruction::dressed(double tolerance) const {
   if (!model) return failure(model.error());
   const auto [finished, drawing] = relief::finish_rims(std::move(*model), texture_);
   val result = val::object();
-  result.set("surface", to_js(finished, relief::hidden_patches(finished, shown_)));
+  result.set("surface", to_js(finished, relief::hidden_patches(finished, shown_), drawing));
   set_picture(result, drawing.rgba);
   return result;
 }
@@ -220,11 +224,11 @@ val Reconstruction::overlays() const {
 }
 
 void Reconstruction::set_texture(const val& rgba, int width, int height) {
-  texture_.rgba = width < 1 || height < 1 ? Image8() : to_image(rgba, width, height);
+  texture_ = to_drawing(rgba, width, height);
 }
 
 void Reconstruction::set_shown(const val& rgba, int width, int height) {
-  shown_.rgba = width < 1 || height < 1 ? Image8() : to_image(rgba, width, height);
+  shown_ = to_drawing(rgba, width, height);
 }
 
 val Reconstruction::solid(const val& options) const {
@@ -240,7 +244,7 @@ val Reconstruction::solid(const val& options) const {
   val result = val::object();
   Model model = made->model;
   for (Point3& p : model.positions) p.z -= 0.5 * (box.min.z + box.max.z);
-  result.set("surface", to_js(model, relief::HiddenPatches{}));
+  result.set("surface", to_js(model, relief::HiddenPatches{}, made->drawing));
   result.set("size", sizes);
   result.set("volume", made->facts.volume);
   result.set("pieces", made->facts.pieces);
@@ -277,7 +281,7 @@ val Reconstruction::encode(const std::string& format, const std::string& name, d
 
 val Reconstruction::map(const std::string& kind, int side, bool green_down) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
-  const auto maps = session_.maps(side);
+  const auto maps = session_.maps(map_side(shown_, side));
   if (!maps) return failure(maps.error());
   const auto bytes = kind == "normal"  ? encode_normal_map(*maps, green_down)
                      : kind == "depth" ? encode_depth_map(*maps)

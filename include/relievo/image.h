@@ -36,6 +36,8 @@ using ImageF = Image<float>;
 /// canvas of the scene; its resolution may differ from the canvas size. Empty if there is none.
 struct Drawing {
   Image8 rgba;
+  int pixel_art = 0;  ///< side of the squares that are pixel art's own pixels, px; else 0. Pixel
+                      ///< art is shown without smoothing
 };
 
 }  // namespace relievo

@@ -38,10 +38,11 @@ Result<Files> obj_files(const Model& model, const Drawing* drawing, const fs::pa
   return files;
 }
 
-/// Returns the whole factor by which a drawing is reduced for its texture.
+/// Returns the whole factor by which a drawing is reduced for its texture. Pixel art is not, since
+/// averages would be colours that it does not have.
 int texture_reduction(const Drawing& drawing, int texture_size) {
   const int side = std::max(drawing.rgba.width, drawing.rgba.height);
-  return texture_size == 0 ? 1 : reduced_side(side, texture_size);
+  return texture_size == 0 || drawing.pixel_art > 0 ? 1 : reduced_side(side, texture_size);
 }
 
 Result<Files> encode_as(const fs::path& path, const Model& model, const Drawing& drawing,

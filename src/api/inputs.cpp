@@ -23,6 +23,7 @@
 #include "kernel/base/workers.h"
 #include "kernel/image/image_size.h"
 #include "relievo/files.h"
+#include "relievo/pixel_art.h"
 #include "understanding/marks/make_parts.h"
 #include "understanding/marks/paint_gap.h"
 #include "understanding/scene/connect_scene.h"
@@ -171,7 +172,7 @@ Result<SceneInput> from_layers(Result<understanding::LayeredDrawing> drawing,
   if (!drawing->flat || !drawing->marks.empty())
     if (Status status = understanding::make_parts(*drawing); !status) return status.error();
   if (!drawing->flat) return with_layers(std::move(*drawing), connect);
-  auto loaded = understand_reduced(reduced(drawing->picture.rgba), input.name, connect, context);
+  auto loaded = understand_fitted(fitted(drawing->picture.rgba), input.name, connect, context);
   const bool is_one = !drawing->scene.parts.empty() && (!loaded || loaded->scene.parts.size() < 2);
   if (is_one) return with_layers(std::move(*drawing), connect);
   if (!loaded) return loaded.error();
@@ -203,7 +204,8 @@ Result<Image8> paint_svg(const Bytes& svg) {
   return std::move(picture->rgba);
 }
 
-/// Returns the pixels of a picture, or of a vector drawing that covers the scene's canvas.
+/// Returns the pixels of a picture, or of a vector drawing that covers the scene's canvas. A small
+/// picture is enlarged where the scene was made of it so.
 Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
   if (sniff(bytes) == InputKind::svg) {
     auto svg = read_svg(text_of(bytes));
@@ -212,9 +214,13 @@ Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
     const ImageSize size = fitted_size(scene.width, scene.height, vector_texture_side);
     return render_svg(svg->paintable, size.width, size.height);
   }
-  auto picture = decode_reduced(bytes);
+  auto picture = decode_fitted(bytes);
   if (!picture) return picture.error();
-  return Drawing{std::move(picture->rgba)};
+  if (picture->times == 1 || picture->rgba.width == scene.width)
+    return Drawing{std::move(picture->rgba)};
+  auto small = decode_image(bytes);
+  if (!small) return small.error();
+  return Drawing{std::move(*small)};
 }
 
 /// Returns the guessed joins of a segmented drawing, which may be left out if a mesh is too coarse
@@ -262,9 +268,9 @@ Result<SceneInput> load_preview(const InputFile& input, bool connect, const RunC
       input.bytes, {}, {"mergedimage.png", "preview.png", "QuickLook/Thumbnail.png"});
   if (!entries) return entries.error();
   for (const ArchiveEntry& entry : *entries) {
-    auto picture = decode_reduced(entry.bytes);
+    auto picture = decode_fitted(entry.bytes);
     if (!picture || is_blank(picture->rgba)) continue;
-    auto loaded = understand_reduced(std::move(*picture), input.name, connect, context);
+    auto loaded = understand_fitted(std::move(*picture), input.name, connect, context);
     if (!loaded) return loaded.error();
     const FileKind kind = file_kind(input.bytes);
     loaded->warnings.insert(loaded->warnings.begin(),
@@ -360,6 +366,7 @@ Result<SceneInput> start_scene(const InputFile& input, bool connect, const RunCo
   auto loaded = load(input, connect, context);
   if (!loaded) return in_file(loaded.error(), input.name);
   if (input.name != "-" && !input.folder) loaded->files.emplace_back(input.name);
+  loaded->drawing.pixel_art = own_pixels(loaded->drawing.rgba);
   return loaded;
 }
 

@@ -53,11 +53,17 @@ DrawnScene drawn(SceneInput input) {
 
 }  // namespace
 
-std::string reduction_note(const ReducedImage& picture) {
+std::string fitting_note(const FittedImage& picture) {
   const std::string size =
-      std::to_string(picture.rgba.width) + " x " + std::to_string(picture.rgba.height);
-  return "the picture was reduced to " + size + " px, 1/" + std::to_string(picture.factor) +
-         " of its size; parts and texture need no more";
+      std::to_string(picture.rgba.width) + " x " + std::to_string(picture.rgba.height) + " px, ";
+  if (picture.factor > 1)
+    return "the picture was reduced to " + size + "1/" + std::to_string(picture.factor) +
+           " of its size; parts and texture need no more";
+  if (picture.times > 1)
+    return "the picture is small: each of its pixels became " + std::to_string(picture.times) +
+           " x " + std::to_string(picture.times) + ", which makes " + size +
+           "so that its parts can be found";
+  return "";
 }
 
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
@@ -83,18 +89,18 @@ Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, boo
   return loaded;
 }
 
-Result<SceneInput> understand_reduced(ReducedImage picture, const std::string& file, bool connect,
-                                      const RunContext& context) {
-  const std::string note = picture.factor > 1 ? reduction_note(picture) : "";
+Result<SceneInput> understand_fitted(FittedImage picture, const std::string& file, bool connect,
+                                     const RunContext& context) {
+  const std::string note = fitting_note(picture);
   auto loaded = understand_flat({std::move(picture.rgba)}, file, connect, context);
   if (loaded && !note.empty()) loaded->understood.insert(loaded->understood.begin(), note);
   return loaded;
 }
 
 Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context) {
-  auto picture = decode_reduced(input.bytes);
+  auto picture = decode_fitted(input.bytes);
   if (!picture) return picture.error();
-  auto loaded = understand_reduced(std::move(*picture), input.name, connect, context);
+  auto loaded = understand_fitted(std::move(*picture), input.name, connect, context);
   if (!loaded) return in_first_frame(loaded.error(), input.bytes);
   if (std::string warning = first_frame_warning(input.bytes); !warning.empty())
     loaded->warnings.push_back(std::move(warning));

@@ -10,8 +10,8 @@
 
 namespace relievo {
 
-/// Says by how much a picture was reduced.
-std::string reduction_note(const ReducedImage& picture);
+/// Says by how much a picture was reduced or enlarged; nothing where it was not.
+std::string fitting_note(const FittedImage& picture);
 
 /// Makes the scene of a flat drawing: parts are found, completed, ordered and, if `connect`, joined
 /// without help, and `understood` describes the result. `file`: name of the drawing for messages.
@@ -19,12 +19,12 @@ std::string reduction_note(const ReducedImage& picture);
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
                                    const RunContext& context);
 
-/// Makes the scene of a picture as understand_flat does, and says in `understood` by how much the
-/// picture was reduced.
-Result<SceneInput> understand_reduced(ReducedImage picture, const std::string& file, bool connect,
-                                      const RunContext& context);
+/// Makes the scene of a picture as understand_flat does, and says in `understood` how the picture
+/// was fitted.
+Result<SceneInput> understand_fitted(FittedImage picture, const std::string& file, bool connect,
+                                     const RunContext& context);
 
-/// Makes the scene of a picture file (see decode_reduced) as understand_reduced does. Of an
+/// Makes the scene of a picture file (see decode_fitted) as understand_fitted does. Of an
 /// animation the first frame is used, with a warning. Errors: as there, and `bad_input` if the file
 /// cannot be decoded.
 Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context);

@@ -218,7 +218,7 @@ Result<Image8> render(const Model& model, const Drawing* drawing, const RenderOp
   renderer.rig = light_rig(options, renderer.camera);
   if (options.shading == Shading::textured)
     renderer.texture.emplace(relief::model_texture(model, *drawing),
-                             model.width / renderer.camera.unit);
+                             model.width / renderer.camera.unit, drawing->pixel_art == 0);
 
   Image8 picture(options.width, options.height, 4);
   const std::thread::id caller = std::this_thread::get_id();

@@ -94,9 +94,9 @@ double highlight(const LightRig& rig, Point3 normal, Point3 to_light, Point3 to_
 
 Rgb tone_curve(Rgb colour) { return {bend(colour.r), bend(colour.g), bend(colour.b)}; }
 
-TextureSampler::TextureSampler(Image8 rgb, double max_width)
-    : rgb_(std::move(rgb)), linear_(linear_values()) {
-  while (rgb_.width >= 2 * max_width && rgb_.width > 1) rgb_ = halved(rgb_, linear_);
+TextureSampler::TextureSampler(Image8 rgb, double max_width, bool smooth)
+    : rgb_(std::move(rgb)), smooth_(smooth), linear_(linear_values()) {
+  while (smooth_ && rgb_.width >= 2 * max_width && rgb_.width > 1) rgb_ = halved(rgb_, linear_);
 }
 
 Rgb TextureSampler::pixel(int x, int y) const {
@@ -110,6 +110,7 @@ Rgb TextureSampler::at(Point2 uv) const {
   const double y = std::clamp(uv.y, 0.0, 1.0) * rgb_.height - 0.5;
   const int x0 = static_cast<int>(std::floor(x));
   const int y0 = static_cast<int>(std::floor(y));
+  if (!smooth_) return pixel(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)));
   const Rgb top = mix(pixel(x0, y0), pixel(x0 + 1, y0), x - x0);
   const Rgb bottom = mix(pixel(x0, y0 + 1), pixel(x0 + 1, y0 + 1), x - x0);
   return mix(top, bottom, y - y0);

@@ -99,16 +99,19 @@ Rgb tone_curve(Rgb colour);
 class TextureSampler {
  public:
   /// Halves the image while it has more than `max_width` columns by a factor of 2 or more, so that
-  /// a picture smaller than the texture does not flicker between its pixels.
-  TextureSampler(Image8 rgb, double max_width);
+  /// a picture smaller than the texture does not flicker between its pixels. Keeps the pixels of an
+  /// image that is not `smooth`.
+  TextureSampler(Image8 rgb, double max_width, bool smooth);
 
-  /// Returns the colour at `uv` in [0, 1]^2, origin top-left; outside, that of the border.
+  /// Returns the colour at `uv` in [0, 1]^2, origin top-left; outside, that of the border. Between
+  /// the pixels of an image that is not smooth it is that of the nearest.
   Rgb at(Point2 uv) const;
 
  private:
   Rgb pixel(int x, int y) const;
 
   Image8 rgb_;
+  bool smooth_;
   std::array<double, 256> linear_;
 };
 

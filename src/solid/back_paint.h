@@ -18,7 +18,7 @@ struct BackPaint {
 };
 
 /// Adds the colours that a back needs to a drawing, which may be empty. `model` lies on it; the
-/// colour of a part is the mean over its triangles. Linear.
+/// colour of a part is the mean over its triangles, or of pixel art that of most of them. Linear.
 BackPaint paint_back(const Drawing& drawing, const Model& model, BackSide side);
 
 }  // namespace relievo

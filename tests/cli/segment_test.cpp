@@ -208,10 +208,12 @@ TEST_F(Segment, AMaskSaysWhatTheFigureIs) {
   const Image16& labels = project->segmentation->labels;
   const auto drawing = decode_image(project->drawing.bytes);
   ASSERT_TRUE(drawing.ok());
-  for (int y = 0; y < 100; ++y)
-    for (int x = 0; x < 120; ++x) {
-      ASSERT_EQ(labels.at(x, y) != 0, mask.at(x, y, 0) != 0) << x << ", " << y;
-      ASSERT_EQ(drawing->at(x, y, 3) != 0, mask.at(x, y, 0) != 0) << x << ", " << y;
+  // Each pixel of the small picture became 3 x 3.
+  ASSERT_EQ(labels.width, 360);
+  for (int y = 0; y < labels.height; ++y)
+    for (int x = 0; x < labels.width; ++x) {
+      ASSERT_EQ(labels.at(x, y) != 0, mask.at(x / 3, y / 3, 0) != 0) << x << ", " << y;
+      ASSERT_EQ(drawing->at(x, y, 3) != 0, mask.at(x / 3, y / 3, 0) != 0) << x << ", " << y;
     }
   write("small.png", std::string(to_text(*encode_png(Image16(10, 10, 1)))));
   expect_failure({"segment", "fox.png", "--figure", "small.png", "-o", "a.json"}, 3, "120 x 100");

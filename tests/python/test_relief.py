@@ -252,6 +252,19 @@ def test_pictures_go_in_and_lie_on_the_model():
     assert middle[0] > middle[1] + 40
 
 
+def test_pixel_art_is_told_or_named(tmp_path):
+    sprite = np.zeros((24, 24, 4), np.uint8)
+    sprite[4:20, 6:18] = (200, 60, 40, 255)
+    sprite[8:12, 9:15] = (250, 220, 60, 255)
+    relievo.save_picture("sprite.png", sprite)
+    nearest = b'"magFilter":9728'
+    for says, is_sharp in ((None, True), (True, True), (False, False)):
+        relief = relievo.build("sprite.png", pixel_art=says, vertices=1000)
+        relief.save("sprite.glb")
+        assert (nearest in (tmp_path / "sprite.glb").read_bytes()) == is_sharp
+        assert relief.maps().heights.shape == (2040 if is_sharp else 2048,) * 2
+
+
 def test_a_solid_is_closed_and_as_large_as_said(discs, tmp_path):
     solid = discs.solid(size=50, base="plate")
     extent = np.ptp(solid.vertices, axis=0)

@@ -213,6 +213,28 @@ TEST(RenderModel, LargeTexturesAreAveraged) {
   for (int x = 1; x < 39; ++x) ASSERT_NEAR(image.at(x, 20, 0), image.at(20, 20, 0), 1);
 }
 
+TEST(RenderModel, PixelsOfPixelArtAreNotMixed) {
+  Model model = empty_model(40, 40);
+  add_plane(model, "sheet", 0);
+  Drawing halves{Image8(2, 1, 4, 255)};
+  std::fill_n(halves.rgba.pixels.begin(), 3, uint8_t{0});
+  RenderOptions options = canvas_view(model, 40);
+  options.shading = Shading::textured;
+  options.samples = 1;
+  options.ambient_rays = 0;
+  options.light_radius = 0;
+  const auto count_mixed = [&] {
+    const Image8 image = picture(model, options, &halves);
+    int mixed = 0;
+    for (int x = 1; x < 39; ++x)
+      mixed += image.at(x, 20) != image.at(1, 20) && image.at(x, 20) != image.at(38, 20) ? 1 : 0;
+    return mixed;
+  };
+  EXPECT_GT(count_mixed(), 10);
+  halves.pixel_art = 1;
+  EXPECT_EQ(count_mixed(), 0);
+}
+
 TEST(RenderModel, WindowKeepsItsPointInTheMiddleFromEverySide) {
   Model model = empty_model(300, 300);
   add_ellipsoid(model, {"body", {150, 150}, 0, {140, 140, 40}});

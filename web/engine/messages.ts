@@ -65,6 +65,8 @@ export interface Surface {
   /** Colours of hidden triangles: sRGB, three bytes per vertex. */
   colors: Uint8Array<ArrayBuffer>;
   parts: PartRun[];
+  /** Whether the drawing keeps its pixels. */
+  pixelArt: boolean;
 }
 
 /** Options of a closed solid; lengths in mm. See the command line's --profile. */

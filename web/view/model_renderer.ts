@@ -50,6 +50,7 @@ export class ModelRenderer {
   private shading: ModelShading = 'drawing';
   private highlighted: string | null = null;
   private frame = 0;
+  private filter: THREE.MagnificationTextureFilter = THREE.LinearFilter;
   /** Height of the page, px. */
   private height = 0;
 
@@ -87,6 +88,8 @@ export class ModelRenderer {
   show(surface: Surface | null, width: number, height: number): void {
     this.clear();
     if (surface) for (const mesh of this.meshes(surface)) this.model.add(mesh);
+    this.filter = surface?.pixelArt ? THREE.NearestFilter : THREE.LinearFilter;
+    this.sharpen();
     const scale = 2 / Math.max(width, height);
     this.height = height;
     this.model.scale.setScalar(scale);
@@ -103,7 +106,16 @@ export class ModelRenderer {
     drawing.map?.dispose();
     drawing.map = document && this.textureOf(bledTexture(document, picture, side));
     drawing.needsUpdate = true;
+    this.sharpen();
     this.redraw();
+  }
+
+  /** Shows the pixels of pixel art. */
+  private sharpen(): void {
+    const { map } = this.materials.drawing;
+    if (!map || map.magFilter === this.filter) return;
+    map.magFilter = this.filter;
+    map.needsUpdate = true;
   }
 
   setShading(shading: ModelShading): void {

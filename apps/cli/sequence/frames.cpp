@@ -12,6 +12,7 @@
 #include "io/image/decode_image.h"
 #include "io/layered/layer_files.h"
 #include "relievo/files.h"
+#include "relievo/pixel_art.h"
 
 namespace relievo::cli {
 namespace {
@@ -43,7 +44,7 @@ Frame sprite_frame(const std::shared_ptr<const Image8>& sheet, const Sprite& spr
   frame.empty = is_blank(*sheet, sprite);
   frame.load = [sheet, sprite, file](const RunContext& context) {
     const std::string name = file + ": " + sprite.name;
-    auto input = understand_flat({cut_sprite(*sheet, sprite)}, name, true, context);
+    auto input = understand_fitted(fitted(cut_sprite(*sheet, sprite)), name, true, context);
     return input ? std::move(input) : Result<SceneInput>(in_file(input.error(), name));
   };
   return frame;
@@ -126,7 +127,7 @@ Result<Frames> frames_of_grid(const InputFile& file, ImageSize cells) {
 }
 
 /// Returns the frames of an animation, named after its file and numbered from 0.
-Result<Frames> frames_of_animation(const InputFile& file, bool connect) {
+Result<Frames> frames_of_animation(const InputFile& file, const SequenceArguments& sequence) {
   auto pictures = decode_frames(file.bytes);
   if (!pictures) return in_file(pictures.error(), file.name);
   Frames found;
@@ -140,14 +141,18 @@ Result<Frames> frames_of_animation(const InputFile& file, bool connect) {
     frame.flat = true;
     frame.empty = is_blank(picture);
     frame.canvas = {picture.width, picture.height};
+    if (!frame.empty && found.longest == 0)
+      found.longest =
+          map_side({picture, own_pixels(picture, sequence.common.pixel_art)}, usual_map_side);
     const auto shared = std::make_shared<const Image8>(std::move(picture));
-    frame.load = [shared, connect,
+    frame.load = [shared, connect = sequence.common.connect,
                   name = file.name + ": " + frame.name](const RunContext& context) {
-      auto input = understand_flat({*shared}, name, connect, context);
+      auto input = understand_fitted(fitted(*shared), name, connect, context);
       return input ? std::move(input) : Result<SceneInput>(in_file(input.error(), name));
     };
     found.frames.push_back(std::move(frame));
   }
+  if (found.longest == 0) found.longest = usual_map_side;
   return found;
 }
 
@@ -155,8 +160,7 @@ Result<Frames> frames_of_animation(const InputFile& file, bool connect) {
 Result<Frames> whole_sequence(const InputFile& file, const SequenceArguments& sequence) {
   if (!file.folder && sniff(file.bytes) == InputKind::sprites) return frames_of_list(file);
   if (sequence.grid) return frames_of_grid(file, *sequence.grid);
-  if (!file.folder && frame_count(file.bytes) > 1)
-    return frames_of_animation(file, sequence.common.connect);
+  if (!file.folder && frame_count(file.bytes) > 1) return frames_of_animation(file, sequence);
   return Frames{};
 }
 

@@ -13,6 +13,9 @@
 
 namespace relievo::cli {
 
+/// Longest side of maps by default, px.
+constexpr int usual_map_side = 1024;
+
 /// A frame of a sequence.
 struct Frame {
   std::string name;    ///< of its outputs: that of its file or sprite
@@ -27,6 +30,7 @@ struct Frames {
   std::vector<Frame> frames;
   std::optional<SpriteSheet> sheet;          ///< if they are its sprites
   ImageSize sheet_size;                      ///< of the picture
+  int longest = 0;                           ///< side of the maps of an animation by default, px
   std::vector<std::filesystem::path> files;  ///< inputs, never overwritten
 };
 

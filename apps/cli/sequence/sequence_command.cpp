@@ -13,6 +13,7 @@
 #include "apps/cli/cost.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
+#include "apps/cli/pixel_art.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/relief_arguments.h"
 #include "apps/cli/sequence/frame_maps.h"
@@ -22,6 +23,7 @@
 #include "relief/maps/ambient_occlusion.h"
 #include "relief/maps/relief_maps.h"
 #include "relief/session/relief_session.h"
+#include "relievo/pixel_art.h"
 
 namespace relievo::cli {
 namespace {
@@ -239,6 +241,7 @@ Status animate(const SequenceArguments& sequence, Frames& frames, Animator& anim
                const RunContext& context) {
   Point2 canvas;
   size_t pixels = 0;
+  int longest = sequence.map_size > 0 ? sequence.map_size : frames.longest;
   for (size_t i = 0; i < frames.frames.size(); ++i) {
     const Frame& frame = frames.frames[i];
     if (context.cancelled()) return interrupted_error();
@@ -248,22 +251,23 @@ Status animate(const SequenceArguments& sequence, Frames& frames, Animator& anim
       if (Status s = count_pixels(size, pixels); !s) return s;
     }
     if (frame.empty) {
-      if (!frames.sheet)
-        size = fitted_size(frame.canvas.width, frame.canvas.height, sequence.map_size);
+      if (!frames.sheet) size = fitted_size(frame.canvas.width, frame.canvas.height, longest);
       animator.add_blank(frame, size);
       continue;
     }
     auto input = frame.load(context);
     if (!input) return input.error();
+    settle_pixel_art(sequence.common, input->drawing);
     if (!frames.sheet) {
       if (Status s = check_canvas(input->scene, frame, canvas); !s) return s;
-      size = fitted_size(canvas.x, canvas.y, sequence.map_size);
+      if (longest == 0) longest = map_side(input->drawing, usual_map_side);
+      size = fitted_size(canvas.x, canvas.y, longest);
       if (Status s = count_pixels(size, pixels); !s) return s;
     }
     if (Status s = animator.add(frame, std::move(*input), size, context); !s)
       return in_file(s.error(), frame.name);
   }
-  lay_out(sequence, fitted_size(canvas.x, canvas.y, sequence.map_size), frames);
+  lay_out(sequence, fitted_size(canvas.x, canvas.y, longest), frames);
   return Done{};
 }
 
@@ -319,13 +323,15 @@ void add_sequence(CLI::App& main, Command& chosen) {
          "Writes the frames on one sheet with this many columns, and a list of them (.json)")
       ->check(CLI::Range(1, 1000))
       ->excludes(cells);
-  app.add_option(
-         "--map-size", sequence->map_size,
-         "Longest side of the maps of drawings in px (default 1024); sprites keep their size")
+  app.add_option("--map-size", sequence->map_size,
+                 "Longest side of the maps of drawings in px (default 1024; of pixel art the "
+                 "largest multiple "
+                 "of its size up to that); sprites of a sheet keep their size")
       ->check(CLI::Range(1, 8192));
   add_normal_y(app, sequence->normal_y_down);
   add_run_options(app, sequence->common);
   add_connect(app, sequence->common);
+  add_pixel_art(app, sequence->common);
   add_relief_options(app, sequence->relief);
   app.callback([sequence, &chosen] { chosen = command(sequence, run_sequence); });
 }

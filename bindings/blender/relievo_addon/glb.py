@@ -6,6 +6,7 @@ import struct
 import numpy as np
 
 KINDS = {5125: np.uint32, 5123: np.uint16, 5126: np.float32}
+NEAREST = 9728
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
 
 
@@ -14,7 +15,8 @@ class Model:
 
     `vertices` is n x 3 in units (x right, y up, z to the viewer, the middle of the drawing at 0),
     `normals` n x 3, `uvs` n x 2 with v up, `faces` m x 3. `parts` lists the name and the number of
-    vertices of each part, in order. `picture` is a PNG file or None. The canvas point (px, py), y down,
+    vertices of each part, in order. `picture` is a PNG file or None; that of
+    `pixel_art` is shown without smoothing. The canvas point (px, py), y down,
     is at (scale * (px - origin[0]), scale * (height - py - origin[1]))."""
 
     def __init__(self, data):
@@ -41,6 +43,8 @@ class Model:
              for mesh, begin in zip(meshes, first)])
         images = self._tree.get("images")
         self.picture = bytes(self._view(images[0]["bufferView"])) if images else None
+        samplers = self._tree.get("samplers", [{}])
+        self.pixel_art = samplers[0].get("magFilter") == NEAREST
 
     def _view(self, index):
         view = self._tree["bufferViews"][index]

@@ -34,7 +34,7 @@ def set_mesh(thing, model):
     mesh.normals_split_custom_set_from_vertices(np.stack([a, -c, b], 1))
     set_groups(thing, model.parts)
     if material is None and model.picture:
-        mesh.materials.append(textured(thing.name, picture_of(thing.name, model.picture)))
+        mesh.materials.append(textured(thing.name, picture_of(thing.name, model.picture), model.pixel_art))
     elif material and model.picture:
         replace_picture(material, picture_of(thing.name, model.picture))
 
@@ -61,12 +61,14 @@ def picture_of(name, png):
     return picture
 
 
-def textured(name, picture):
+def textured(name, picture, pixel_art):
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     texture = nodes.new("ShaderNodeTexImage")
     texture.image = picture
+    if pixel_art:
+        texture.interpolation = "Closest"
     shader = next(node for node in nodes if node.type == "BSDF_PRINCIPLED")
     shader.inputs["Roughness"].default_value = 0.9
     links.new(texture.outputs["Color"], shader.inputs["Base Color"])

@@ -138,9 +138,10 @@ class Relief:
         """Makes a closed solid in mm, to print or mill; a figure if `back` is drawing or parts."""
         return Model(self._session.solid(apply(_core.SolidOptions(), options)))
 
-    def maps(self, longest: int = 2048) -> _core.Maps:
-        """Makes maps of the front view: heights, normals and parts, `longest` px on the longer side."""
-        return self._session.maps(longest)
+    def maps(self, longest: Optional[int] = None) -> _core.Maps:
+        """Makes maps of the front view: heights, normals and parts, `longest` px on the longer side
+        (default: 2048, or of pixel art the largest multiple of its own size up to that)."""
+        return self._session.maps(longest or self._source.map_side(2048))
 
     def save(self, path: PathLike, *, size: float = 100) -> None:
         """Writes the same model as `relievo build`: a solid for .stl and .3mf, else whole parts."""
@@ -158,15 +159,17 @@ def build(
     drawing: Union[PathLike, Scene],
     *,
     picture: Optional[Picture] = None,
+    pixel_art: Optional[bool] = None,
     **options: Unpack[BuildOptions],
 ) -> Relief:
     """Builds the relief of a drawing, a file that `relievo build` accepts, or of a scene with a
-    `picture` of its canvas. Raises Error. Ctrl-C stops it."""
+    `picture` of its canvas. `pixel_art` says whether the drawing keeps its pixels and colours (default:
+    told by them). Raises Error. Ctrl-C stops it."""
     if isinstance(drawing, Scene):
-        return Relief(drawing, _core.Source(picture), [], False, **options)
+        return Relief(drawing, _core.Source(picture, pixel_art), [], False, **options)
     if picture is not None:
         raise TypeError("a picture can be given only with a scene; a file has its own")
-    scene, source, warnings, proposed = _core.read(drawing)
+    scene, source, warnings, proposed = _core.read(drawing, pixel_art)
     return Relief(scene, source, warnings, proposed, **options)
 
 

@@ -23,6 +23,7 @@
 #include "io/image/png.h"
 #include "io/image/row_average.h"
 #include "io/image/webp.h"
+#include "kernel/image/enlarge.h"
 
 namespace relievo {
 namespace {
@@ -164,19 +165,21 @@ Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
   return decode(bytes, limits, 1);
 }
 
-ReducedImage reduced(Image8 rgba) {
+FittedImage fitted(Image8 rgba) {
   const int factor = reduction_factor(rgba.width, rgba.height);
-  return {averaged(std::move(rgba), factor), factor};
+  const int times = enlargement(rgba.width, rgba.height);
+  return {enlarged(averaged(std::move(rgba), factor), times), factor, times};
 }
 
-Result<ReducedImage> decode_reduced(ByteView bytes, const ImageLimits& limits) {
+Result<FittedImage> decode_fitted(ByteView bytes, const ImageLimits& limits) {
   const auto size = size_in_header(bytes, limits);
   if (!size && size.error().code == ErrorCode::limit) return size.error();
   // The decoder says what is wrong with a header.
   const int factor = size ? reduction_factor(size->width, size->height) : 1;
   auto image = decode(bytes, limits, factor);
   if (!image) return image.error();
-  return ReducedImage{std::move(*image), factor};
+  const int times = enlargement(image->width, image->height);
+  return FittedImage{enlarged(std::move(*image), times), factor, times};
 }
 
 Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits, int factor) {

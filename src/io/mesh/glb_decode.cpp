@@ -237,6 +237,14 @@ void return_to_canvas(const Glb& glb, Model& model) {
   }
 }
 
+/// Returns whether a texture is shown without smoothing, as pixel art is.
+bool has_nearest_filter(const Glb& glb, const Json& texture) {
+  if (!texture.contains("sampler")) return false;
+  const Json& sampler = element(glb.json, "samplers", natural_member(texture, "sampler"));
+  constexpr size_t nearest = 9728;
+  return natural_member(sampler, "magFilter", 0) == nearest;
+}
+
 Drawing read_drawing(const Glb& glb, const GlbLimits& limits) {
   if (!glb.json.contains("materials")) return {};
   const Json& material = element(glb.json, "materials", 0);
@@ -249,7 +257,7 @@ Drawing read_drawing(const Glb& glb, const GlbLimits& limits) {
   const Json& view = element(glb.json, "bufferViews", natural_member(image, "bufferView"));
   Result<Image8> decoded = decode_image(view_bytes(glb, view), limits.image);
   if (!decoded) throw Error(decoded.error());
-  return {std::move(*decoded)};
+  return {std::move(*decoded), has_nearest_filter(glb, texture) ? 1 : 0};
 }
 
 Json parse_json(ByteView text) {

@@ -19,6 +19,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
+constexpr int filter_nearest = 9728;
 constexpr int filter_linear = 9729;
 constexpr int filter_mipmapped = 9987;
 constexpr int wrap_clamp = 33071;
@@ -180,8 +181,9 @@ Status add_texture(Asset& asset, const Model& model, const Drawing& drawing) {
   asset.binary.insert(asset.binary.end(), png->begin(), png->end());
   const int view = asset.add_view(begin, 0, 0);
   const OrderedJson image = {{"bufferView", view}, {"mimeType", "image/png"}};
-  const OrderedJson sampler = {{"magFilter", filter_linear},
-                               {"minFilter", filter_mipmapped},
+  const bool own_pixels = drawing.pixel_art > 0;
+  const OrderedJson sampler = {{"magFilter", own_pixels ? filter_nearest : filter_linear},
+                               {"minFilter", own_pixels ? filter_nearest : filter_mipmapped},
                                {"wrapS", wrap_clamp},
                                {"wrapT", wrap_clamp}};
   const OrderedJson texture = {{"sampler", 0}, {"source", 0}};

@@ -74,7 +74,8 @@ Result<Bytes> encode_html(const Model& model, const Drawing* drawing, const std:
     append_text(html, "data:image/png;base64,");
     append_base64(html, *png);
   }
-  append_text(html, "\" };\n");
+  const bool own_pixels = drawing != nullptr && drawing->pixel_art > 0;
+  append_text(html, own_pixels ? "\",\nfilter: \"NEAREST\" };\n" : "\" };\n");
   append_text(html, viewer_script);
   append_text(html, "</script>\n</html>\n");
   return html;

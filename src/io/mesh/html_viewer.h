@@ -6,7 +6,7 @@ namespace relievo {
 
 /// Returns the page around its data. `vertices` are interleaved positions, normals and texture
 /// coordinates as single precision numbers, `triangles` 32-bit indices, both base64; `picture` is a
-/// data URL or empty.
+/// data URL or empty, and `filter` the way to sample it, if that is not "LINEAR".
 constexpr std::string_view viewer_head = R"(<!DOCTYPE html>
 <html lang="en">
 <meta charset="utf-8">
@@ -84,7 +84,8 @@ function show() {
     gl.vertexAttribPointer(at, size, gl.FLOAT, false, 32, offset);
   });
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl[model.filter || "LINEAR"]);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl[model.filter || "LINEAR"]);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB, 1, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, new Uint8Array([214, 204, 190]));

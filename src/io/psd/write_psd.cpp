@@ -191,8 +191,9 @@ Result<Bytes> encode_psd(const std::vector<PsdPicture>& layers, int width, int h
   return bytes;
 }
 
-Result<Bytes> encode_part_layers(const Scene& scene, const Image8& rgba) {
-  const std::vector<relief::PaintedLayer> parts = relief::paint_layers(scene, rgba);
+Result<Bytes> encode_part_layers(const Scene& scene, const Drawing& drawing) {
+  const Image8& rgba = drawing.rgba;
+  const std::vector<relief::PaintedLayer> parts = relief::paint_layers(scene, drawing);
   std::vector<PsdPicture> layers = {{"drawing", &rgba, 0, 0, true}};
   for (const relief::PaintedLayer& part : parts)
     layers.push_back({"part:" + part.name, &part.rgba, part.left, part.top});

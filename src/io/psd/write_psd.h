@@ -26,6 +26,6 @@ Result<Bytes> encode_psd(const std::vector<PsdPicture>& layers, int width, int h
 /// Encodes the parts of a drawing as layers to paint on (see paint_layers), each named `part:` and
 /// its id, so that further layers become texture. The drawing itself lies behind them, hidden.
 /// `rgba` covers the canvas. Errors: as encode_psd. O(pixels of all parts).
-Result<Bytes> encode_part_layers(const Scene& scene, const Image8& rgba);
+Result<Bytes> encode_part_layers(const Scene& scene, const Drawing& drawing);
 
 }  // namespace relievo

@@ -15,6 +15,7 @@
 #include "relief/finish/fill_triangle.h"
 #include "relief/finish/hidden_patches.h"
 #include "relief/finish/ink_rims.h"
+#include "relief/finish/own_palette.h"
 
 namespace relievo::relief {
 namespace {
@@ -210,19 +211,21 @@ DrawnModel finish_model(Model model, Drawing drawing) {
 
 DrawnModel finish_rims(Model model, Drawing drawing) {
   narrow_rims(model, drawing);
-  extend_paint(model, drawing.rgba);
+  extend_paint(model, drawing);
   return {std::move(model), std::move(drawing)};
 }
 
 DrawnModel dress_hidden(Model model, Drawing drawing) {
   const HiddenPatches patches = hidden_patches(model, drawing);
-  extend_paint(model, drawing.rgba);
+  extend_paint(model, drawing);
   lay_patches(patches, model, drawing.rgba);
   return {std::move(model), std::move(drawing)};
 }
 
-void extend_paint(const Model& model, Image8& rgba) {
+void extend_paint(const Model& model, Drawing& drawing) {
+  Image8& rgba = drawing.rgba;
   if (rgba.empty()) return;
+  if (drawing.pixel_art > 0) return extend_own_pixels(model, drawing);
   PaintCarrier carrier(uncovered_pixels(model, {rgba.width, rgba.height}), rgba);
   while (carrier.step()) {
   }

@@ -30,8 +30,8 @@ DrawnModel dress_hidden(Model model, Drawing drawing);
 /// Carries the paint, or ink, along the outline of a model over its rim. The pixels beyond the
 /// outline, those beside it that blend with paper, and narrow slivers of paper inside it get the
 /// colours further inside: surfaces are steep there, so that a fraction of a pixel shows as a broad
-/// strip of paper when the model is turned. `rgba`: 4 channels; the model's texture coordinates are
-/// on all of it. O(pixels).
-void extend_paint(const Model& model, Image8& rgba);
+/// strip of paper when the model is turned. The model's texture coordinates are on all of it.
+/// O(pixels). Of pixel art its own pixels are carried (extend_own_pixels).
+void extend_paint(const Model& model, Drawing& drawing);
 
 }  // namespace relievo::relief

@@ -12,6 +12,7 @@
 #include "kernel/image/morphology.h"
 #include "kernel/image/pixel_box.h"
 #include "relief/finish/fill_triangle.h"
+#include "relief/finish/own_palette.h"
 
 namespace relievo::relief {
 namespace {
@@ -20,9 +21,12 @@ constexpr int longest_side = 512;  ///< px of the shrunk drawing
 constexpr int ink_band = 4;        ///< px of it beside a part's outline that may be inked
 constexpr int patch_margin = 2;    ///< px of it around hidden triangles, for filtering
 
-Image8 shrunk(const Image8& rgba) {
+/// Returns pixel art at its own size.
+Image8 shrunk(const Drawing& drawing) {
+  const Image8& rgba = drawing.rgba;
   const int longest = std::max(rgba.width, rgba.height);
-  return shrink(rgba, (longest + longest_side - 1) / longest_side);
+  return shrink(rgba, drawing.pixel_art > 0 ? drawing.pixel_art
+                                            : (longest + longest_side - 1) / longest_side);
 }
 
 /// Returns the pixels around triangles [begin, end).
@@ -40,14 +44,14 @@ PixelBox box_around(const Model& model, int begin, int end, ImageSize size) {
 }
 
 /// Returns the pixels of a part that are far from its outline, where it may be inked: as far as
-/// some of them are, and `ink_band` at most. The drawing's edge is an outline too. With a margin of
+/// some of them are, and `band` at most. The drawing's edge is an outline too. With a margin of
 /// a pixel around the box; empty if none of the part is seen.
-Image8 inner_pixels(const Image16& front, const PixelBox& box, uint16_t part) {
+Image8 inner_pixels(const Image16& front, const PixelBox& box, uint16_t part, int band) {
   Image8 own(box.width() + 2, box.height() + 2, 1);
   for (int y = box.top; y < box.bottom; ++y)
     for (int x = box.left; x < box.right; ++x)
       own.at(x - box.left + 1, y - box.top + 1) = front.at(x, y) == part ? 1 : 0;
-  for (int far = ink_band; far >= 0; --far) {
+  for (int far = band; far >= 0; --far) {
     Image8 inner = min_filter(own, far);
     if (std::find(inner.pixels.begin(), inner.pixels.end(), 1) != inner.pixels.end()) return inner;
   }
@@ -56,8 +60,8 @@ Image8 inner_pixels(const Image16& front, const PixelBox& box, uint16_t part) {
 
 /// Returns the seen colours of a part, weighted for pull_push; nothing if none of it is seen.
 std::optional<ImageF> seen_of(const Image16& front, const Image8& drawing, const PixelBox& box,
-                              uint16_t part) {
-  const Image8 inner = inner_pixels(front, box, part);
+                              uint16_t part, int band) {
+  const Image8 inner = inner_pixels(front, box, part, band);
   if (inner.empty()) return std::nullopt;
   ImageF seen(box.width(), box.height(), 4);
   for (int y = 0; y < seen.height; ++y)
@@ -220,17 +224,21 @@ HiddenPatches hidden_patches(const Model& model, const Drawing& drawing) {
   const auto hides = [](const ModelPart& part) { return part.hidden_count > 0; };
   if (drawing.rgba.empty() || std::none_of(model.parts.begin(), model.parts.end(), hides))
     return {};
-  const Image8 small = shrunk(drawing.rgba);
+  const Image8 small = shrunk(drawing);
+  const bool keeps_colours = drawing.pixel_art > 0;
   HiddenPatches result{{small.width, small.height}, {}};
   const Image16 front = front_parts(model, result.drawing);
   for (size_t p = 0; p < model.parts.size(); ++p) {
     if (!hides(model.parts[p])) continue;
     const ModelPart& part = model.parts[p];
     const PixelBox whole = box_around(model, part.first_triangle, part.end(), result.drawing);
-    const auto seen = seen_of(front, small, whole, static_cast<uint16_t>(p + 1));
+    const auto seen =
+        seen_of(front, small, whole, static_cast<uint16_t>(p + 1), keeps_colours ? 1 : ink_band);
     if (!seen) continue;
+    ImageF filled = pull_push(*seen);
+    if (keeps_colours) keep_palette(*seen, filled);
     const PixelBox hidden = box_around(model, part.seen_end(), part.end(), result.drawing);
-    result.patches.push_back(cut_patch(pull_push(*seen), whole, hidden));
+    result.patches.push_back(cut_patch(filled, whole, hidden));
     result.patches.back().part = static_cast<int>(p);
   }
   return result;

@@ -25,7 +25,8 @@ struct HiddenPatches {
 /// Extends the seen colours of each part smoothly over its hidden triangles. Pixels near its
 /// outline, which may be ink, do not count. There are no patches if the drawing is empty, and none
 /// for parts without hidden or without seen triangles. The drawing is shrunk to 512 px at most,
-/// since hidden areas have no detail. Linear in its pixels, in the boxes of the parts and in
+/// since hidden areas have no detail; pixel art is shrunk to its
+/// own size, and keeps its colours. Linear in its pixels, in the boxes of the parts and in
 /// triangles.
 HiddenPatches hidden_patches(const Model& model, const Drawing& drawing);
 

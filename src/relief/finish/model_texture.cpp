@@ -1,12 +1,11 @@
 #include "relief/finish/model_texture.h"
 
-#include <array>
 #include <cstdint>
-#include <limits>
 
 #include "kernel/image/compose.h"
 #include "kernel/image/morphology.h"
 #include "relief/finish/fill_triangle.h"
+#include "relief/finish/spread_colours.h"
 
 namespace relievo::relief {
 namespace {
@@ -14,35 +13,12 @@ namespace {
 /// Chebyshev distance from a pixel that is not covered.
 constexpr int silhouette_band = 2;
 
-/// Copies colours from known pixels to the others, to each from about the nearest in Chebyshev
-/// distance: two passes over the pixels, each looking at the neighbours before it.
-void spread_colours(const Image8& known, Image8& colours) {
-  constexpr uint16_t far = std::numeric_limits<uint16_t>::max();
-  // With a margin of one pixel that is never near.
-  Image16 distances(known.width + 2, known.height + 2, 1, far);
-  const auto relax = [&](int x, int y, int step) {
-    uint16_t& here = distances.at(x + 1, y + 1);
-    if (known.at(x, y) != 0) here = 0;
-    if (here <= 1) return;
-    for (const auto& [dx, dy] :
-         std::array<std::array<int, 2>, 4>{{{step, 0}, {-1, step}, {0, step}, {1, step}}}) {
-      const int next = distances.at(x + 1 + dx, y + 1 + dy) + 1;
-      if (next >= here) continue;
-      here = static_cast<uint16_t>(next);
-      for (int c = 0; c < 3; ++c) colours.at(x, y, c) = colours.at(x + dx, y + dy, c);
-    }
-  };
-  for (int y = 0; y < known.height; ++y)
-    for (int x = 0; x < known.width; ++x) relax(x, y, -1);
-  for (int y = known.height - 1; y >= 0; --y)
-    for (int x = known.width - 1; x >= 0; --x) relax(x, y, 1);
-}
-
 }  // namespace
 
 Image8 model_texture(const Model& model, const Drawing& drawing) {
   const Image8& rgba = drawing.rgba;
   if (rgba.empty()) return {};
+  const bool keeps_colours = drawing.pixel_art > 0;
   const Image8 near =
       max_filter(uncovered_pixels(model, {rgba.width, rgba.height}), silhouette_band);
   Image8 texture(rgba.width, rgba.height, 3, 255);
@@ -50,7 +26,7 @@ Image8 model_texture(const Model& model, const Drawing& drawing) {
   for (int y = 0; y < rgba.height; ++y)
     for (int x = 0; x < rgba.width; ++x) {
       const int alpha = rgba.at(x, y, 3);
-      if (alpha < 255 && near.at(x, y) != 0) continue;
+      if (keeps_colours ? alpha < 128 : alpha < 255 && near.at(x, y) != 0) continue;
       known.at(x, y) = 1;
       for (int c = 0; c < 3; ++c) texture.at(x, y, c) = on_paper(rgba.at(x, y, c), alpha);
     }

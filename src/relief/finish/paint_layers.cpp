@@ -8,6 +8,7 @@
 #include "kernel/image/distance_transform.h"
 #include "kernel/image/mask.h"
 #include "kernel/image/outlines.h"
+#include "relief/finish/own_palette.h"
 
 namespace relievo::relief {
 namespace {
@@ -88,7 +89,8 @@ Image8 paint(const Mask& mask, const Image<int32_t>& front, const ImageF& filled
 
 }  // namespace
 
-std::vector<PaintedLayer> paint_layers(const Scene& scene, const Image8& rgba) {
+std::vector<PaintedLayer> paint_layers(const Scene& scene, const Drawing& drawing) {
+  const Image8& rgba = drawing.rgba;
   std::vector<Mask> masks;
   for (const Part& part : scene.parts)
     masks.push_back(
@@ -99,7 +101,9 @@ std::vector<PaintedLayer> paint_layers(const Scene& scene, const Image8& rgba) {
   std::vector<PaintedLayer> layers;
   for (size_t p = 0; p < masks.size(); ++p) {
     const int part = static_cast<int>(p);
-    const ImageF filled = pull_push(own_colours(masks[p], front, from_border, rgba, part));
+    const ImageF seen = own_colours(masks[p], front, from_border, rgba, part);
+    ImageF filled = pull_push(seen);
+    if (drawing.pixel_art > 0) keep_palette(seen, filled);
     layers.push_back({scene.parts[p].id, masks[p].left, masks[p].top,
                       paint(masks[p], front, filled, rgba, part)});
   }

@@ -17,7 +17,8 @@ struct PaintedLayer {
 
 /// Returns the parts of a drawing as layers, back to front. A part has the drawing's pixels where
 /// it is seen; behind others its own colours are extended, except those near outlines, which may be
-/// ink. Together the layers give the drawing. `rgba` covers the canvas. O(pixels of all parts).
-std::vector<PaintedLayer> paint_layers(const Scene& scene, const Image8& rgba);
+/// ink. Pixel art keeps its colours. Together the layers give the drawing, which covers the canvas.
+/// O(pixels of all parts).
+std::vector<PaintedLayer> paint_layers(const Scene& scene, const Drawing& drawing);
 
 }  // namespace relievo::relief

@@ -8,6 +8,7 @@
 #include "io/image/decode_image.h"
 #include "io/image/png.h"
 #include "io/support/encode_jpeg.h"
+#include "kernel/image/enlarge.h"
 
 namespace relievo {
 namespace {
@@ -53,7 +54,7 @@ TEST(RowAverage, ColoursCountByTheirAlpha) {
 }
 
 TEST(DecodeReduced, PngBecomesExactAverages) {
-  const auto reduced = decode_reduced(*encode_png(ramp(3)));
+  const auto reduced = decode_fitted(*encode_png(ramp(3)));
   ASSERT_TRUE(reduced) << to_string(reduced.error());
   ASSERT_EQ(reduced->factor, 2);
   ASSERT_EQ(reduced->rgba.width, 3500);
@@ -67,7 +68,7 @@ TEST(DecodeReduced, PngBecomesExactAverages) {
 
 TEST(DecodeReduced, JpegBecomesAveragesUpToItsPacking) {
   for (const bool progressive : {false, true}) {
-    const auto reduced = decode_reduced(encode_jpeg(ramp(3), {JCS_GRAYSCALE, progressive, {}}));
+    const auto reduced = decode_fitted(encode_jpeg(ramp(3), {JCS_GRAYSCALE, progressive, {}}));
     ASSERT_TRUE(reduced) << to_string(reduced.error());
     ASSERT_EQ(reduced->factor, 2);
     ASSERT_EQ(reduced->rgba.width, 3500);
@@ -92,25 +93,38 @@ TEST(DecodeReduced, JpegOfAnyFactorHasTheSizeOfItsSquares) {
   }
 }
 
-TEST(DecodeReduced, SmallPicturesStayAsTheyAre) {
-  const Image8 image(40, 30, 4, 77);
-  const auto whole = decode_reduced(*encode_png(image));
+TEST(DecodeReduced, PicturesOfUsualSizesStayAsTheyAre) {
+  const Image8 image(small_side, 30, 4, 77);
+  const auto whole = decode_fitted(*encode_png(image));
   ASSERT_TRUE(whole) << to_string(whole.error());
   EXPECT_EQ(whole->factor, 1);
+  EXPECT_EQ(whole->times, 1);
   EXPECT_EQ(whole->rgba.pixels, image.pixels);
+}
+
+TEST(DecodeReduced, SmallPicturesAreEnlarged) {
+  Image8 image(24, 30, 4, 255);
+  for (size_t i = 0; i < image.pixels.size(); i += 4)
+    image.pixels[i] = static_cast<uint8_t>(31 * i);
+  const auto large = decode_fitted(*encode_png(image));
+  ASSERT_TRUE(large) << to_string(large.error());
+  EXPECT_EQ(large->factor, 1);
+  EXPECT_EQ(large->times, 10);
+  EXPECT_EQ(large->rgba.pixels, enlarged(image, 10).pixels);
+  EXPECT_EQ(fitted(image).rgba.pixels, large->rgba.pixels);
 }
 
 TEST(DecodeReduced, OnlyWhatIsReadRowByRowMayExceedTheLimitOfWholePictures) {
   ImageLimits limits;
   limits.max_pixels = 4'000'000;
   const Image8 image = ramp(0);
-  EXPECT_TRUE(decode_reduced(*encode_png(image), limits));
-  EXPECT_TRUE(decode_reduced(encode_jpeg(image, {JCS_GRAYSCALE, false, {}}), limits));
+  EXPECT_TRUE(decode_fitted(*encode_png(image), limits));
+  EXPECT_TRUE(decode_fitted(encode_jpeg(image, {JCS_GRAYSCALE, false, {}}), limits));
   const Bytes progressive = encode_jpeg(image, {JCS_GRAYSCALE, true, {}});
-  EXPECT_EQ(decode_reduced(progressive, limits).error().code, ErrorCode::limit);
+  EXPECT_EQ(decode_fitted(progressive, limits).error().code, ErrorCode::limit);
   EXPECT_EQ(decode_image(*encode_png(image), limits).error().code, ErrorCode::limit);
   limits.max_streamed = 8'000'000;
-  const auto refused = decode_reduced(*encode_png(image), limits);
+  const auto refused = decode_fitted(*encode_png(image), limits);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("8 megapixels; make it smaller"), std::string::npos);
 }

@@ -159,6 +159,21 @@ TEST(Glb, TextureIsEmbeddedUprightAndOpaque) {
             0);
 }
 
+TEST(Glb, PixelArtIsNotSmoothed) {
+  Drawing drawing = quarters();
+  const Model model = split_hemisphere(10);
+  const auto filters = [&] {
+    const ParsedGlb glb(*encode_glb(model, &drawing));
+    const Json sampler = glb.json["samplers"][0];
+    return std::pair(sampler["magFilter"].get<int>(), sampler["minFilter"].get<int>());
+  };
+  EXPECT_EQ(filters(), std::pair(9729, 9987));  // linear, between mipmaps too
+  EXPECT_EQ(decode_glb(*encode_glb(model, &drawing))->drawing.pixel_art, 0);
+  drawing.pixel_art = 4;
+  EXPECT_EQ(filters(), std::pair(9728, 9728));  // nearest
+  EXPECT_EQ(decode_glb(*encode_glb(model, &drawing))->drawing.pixel_art, 1);
+}
+
 TEST(Glb, PartsWithoutFacesAreLeftOut) {
   Model model = hemisphere(5, 4);
   model.parts.insert(model.parts.begin(), ModelPart{"hidden", 4, 1, 0, {}, 0, 0});

@@ -74,6 +74,17 @@ TEST(Html, NeedsNothingElse) {
   EXPECT_NE(text.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
 }
 
+TEST(Html, PixelArtIsNotSmoothed) {
+  Drawing drawing = quarters();
+  const auto is_sharp = [&] {
+    const std::string text = text_of(*encode_html(hemisphere(40, 16), &drawing, ""));
+    return text.find("filter: \"NEAREST\"") != std::string::npos;
+  };
+  EXPECT_FALSE(is_sharp());
+  drawing.pixel_art = 4;
+  EXPECT_TRUE(is_sharp());
+}
+
 TEST(Html, HoldsAllVerticesAsBase64) {
   const Model model = hemisphere(40, 16);
   const auto page = encode_html(model, nullptr, "ball");

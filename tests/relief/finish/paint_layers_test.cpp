@@ -40,7 +40,7 @@ TEST(PaintLayers, GiveTheDrawingFromTheFrontAndOwnColoursBehind) {
   scene.width = scene.height = 80;
   scene.parts = {Part{"body", body}, Part{"hand", hand}};
   const Image8 rgba = drawing();
-  const auto layers = paint_layers(scene, rgba);
+  const auto layers = paint_layers(scene, {rgba});
   ASSERT_EQ(layers.size(), 2U);
   EXPECT_EQ(layers[0].name, "body");
   for (int y = 0; y < 160; ++y)

@@ -10,6 +10,8 @@ const maxPixels = 4096 * 4096;
 const flatPixels = 2048 * 2048;
 /** Longest side of the picture made of a vector drawing of lines, px; the command line uses the same. */
 const flatSide = 1600;
+/** Longer side below which each pixel of a flat drawing becomes a square, px; the command line uses the same. */
+const smallSide = 300;
 /** px */
 const stripHeight = 256;
 
@@ -76,13 +78,15 @@ export async function pictureOf(drawing: DrawingSource, width: number, height: n
 
 /**
  * Returns a flat drawing in the form in which it is segmented and kept: the original file, or a PNG
- * file of its picture if the command line could not read the original or it is too large to scribble on.
+ * file of its picture if the command line could not read the original, or it is too large to scribble on or small.
  */
 export async function flatDrawing(source: DrawingSource): Promise<{ drawing: DrawingSource; picture: ImageBitmap }> {
   const whole = await createImageBitmap(new Blob([source.bytes as Uint8Array<ArrayBuffer>], { type: source.mime }));
-  const scale = Math.min(1, Math.sqrt(flatPixels / (whole.width * whole.height)));
+  const times = Math.ceil(smallSide / Math.max(whole.width, whole.height));
+  const scale = times > 1 ? times : Math.min(1, Math.sqrt(flatPixels / (whole.width * whole.height)));
   if (scale === 1 && ['image/png', 'image/jpeg'].includes(source.mime)) return { drawing: source, picture: whole };
   const [canvas, context] = canvasOf(scale * whole.width, scale * whole.height);
+  context.imageSmoothingEnabled = scale < 1;
   context.drawImage(whole, 0, 0, canvas.width, canvas.height);
   whole.close();
   const picture = canvas.transferToImageBitmap();

@@ -79,6 +79,7 @@ describe('the engine and the command line', () => {
     }
     const { surface: narrowed } = must(service.dress(shown.tolerance, { rgba, width: size, height: size }));
     const whole = must(service.surface(shown));
+    expect(narrowed.pixelArt).toBe(true);
     const heights = ({ positions }: Surface): number => positions.reduce((sum, p, i) => (i % 3 === 2 ? sum + p : sum), 0);
     expect(heights(narrowed) / heights(whole)).toBeLessThan(0.9);
   });
