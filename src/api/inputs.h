@@ -56,7 +56,7 @@ Status finish_drawing(const InputFile& input, SceneInput& scene);
 
 /// Loads a scene from a layered drawing (SVG, OpenRaster, Photoshop, a folder of pictures), from a
 /// flat picture, or from a scene file and the drawing that it names. If `connect`, connections
-/// between parts that the drawing does not state are guessed. Pixel art is told. The error's
+/// between parts that the drawing does not state are guessed. Pixel art is recognised. The error's
 /// `where` begins with the file's name.
 Result<SceneInput> load_scene(const InputFile& input, bool connect, const RunContext& context = {});
 

@@ -6,7 +6,7 @@
 
 namespace relievo {
 
-/// Longer side below which a picture is small, px: what is told by lengths in pixels needs as many.
+/// Longer side below which a picture is small, px: rules with a length in pixels need that many.
 constexpr int small_side = 300;
 
 /// Returns the least whole number that makes a side of small_side px of a picture's longer one.
