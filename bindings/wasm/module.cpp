@@ -19,6 +19,7 @@
 #include "io/scene/scene_json.h"
 #include "io/svg/read_svg.h"
 #include "understanding/marks/make_parts.h"
+#include "understanding/marks/paint_gap.h"
 #include "understanding/scene/connect_scene.h"
 
 namespace relievo::wasm {
@@ -59,6 +60,17 @@ val import_svg(const val& array) {
   result.set("proposed", drawing->proposed);
   result.set("lineArt", drawing->line_art || drawing->flat);
   result.set("warnings", to_js(drawing->warnings));
+  return result;
+}
+
+/// Returns {departs}: whether the shapes of a layered drawing are not those that the page painted
+/// of it; see understanding::departs_from_paint. `rgba` shows the whole canvas.
+val departs_from_paint(const val& array, const val& rgba, int width, int height) {
+  const Bytes bytes = to_bytes(array);
+  const auto drawing = read_svg({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!drawing) return failure(drawing.error());
+  val result = val::object();
+  result.set("departs", understanding::departs_from_paint(*drawing, to_image(rgba, width, height)));
   return result;
 }
 
@@ -158,6 +170,7 @@ EMSCRIPTEN_BINDINGS(relievo) {
   using relievo::wasm::Reconstruction;
   using relievo::wasm::Segmenter;
   emscripten::function("importSvg", &relievo::wasm::import_svg);
+  emscripten::function("departsFromPaint", &relievo::wasm::departs_from_paint);
   emscripten::function("unreadFile", &relievo::wasm::unread_file);
   emscripten::function("checkSegmentation", &relievo::wasm::check_segmentation);
   emscripten::function("importLayers", &relievo::wasm::import_layers);

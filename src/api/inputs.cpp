@@ -39,12 +39,7 @@ constexpr double vector_texture_side = 2048;
 /// Longest side of the picture of a vector drawing in which parts are sought, px.
 constexpr double flat_picture_side = 1600;
 
-/// Longest side of the painting that is compared with the shapes that were read, px, and the
-/// largest shares of a shape without paint and of the paint in no shape. Drawings that are read
-/// well stay below a tenth and below half of these. A person sees the third share missing.
-constexpr double compared_side = 400;
-constexpr double most_bare = 0.03;
-constexpr double most_loose = 0.1;
+/// Share of the paint that a person sees missing.
 constexpr double seen_loose = 0.02;
 
 /// Finds the parts in the picture of a vector drawing, as in a flat drawing. Adds a warning that
@@ -71,12 +66,6 @@ SceneInput with_layers(understanding::LayeredDrawing&& drawing, bool connect) {
     loaded.guesses = std::move(connected.proposals);
   }
   return loaded;
-}
-
-/// Returns whether the shapes that were read of a drawing are not those that are painted.
-bool departs_from_paint(const understanding::LayeredDrawing& drawing, const Image8& painting) {
-  const understanding::PaintGap gap = understanding::find_paint_gap(drawing, painting);
-  return gap.bare > most_bare || gap.loose > most_loose;
 }
 
 /// Returns why the parts of a vector drawing come from its picture, null where its shapes are to be
@@ -119,7 +108,7 @@ std::optional<SceneInput> see_parts(const InputFile& input,
   auto seen = understand_painting(input, read.paintable, reason, connect, context);
   if (!seen || seen->scene.parts.empty()) return std::nullopt;
   const double missed = loose_paint(seen->scene, read.left_out, painting);
-  if (missed > loose + most_loose) return std::nullopt;
+  if (missed > loose + understanding::most_loose) return std::nullopt;
   warn_of_loose(missed, "mark its parts with relievo segment", seen->warnings);
   return std::move(*seen);
 }
@@ -133,9 +122,9 @@ Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunConte
         "the drawing is a picture: its parts are found as in a flat drawing; relievo segment can "
         "correct them",
         connect, context);
-  const auto painting = rasterize(read->paintable, compared_side);
+  const auto painting = rasterize(read->paintable, understanding::compared_side);
   if (!painting) return painting.error();
-  const bool painted_otherwise = departs_from_paint(*read, painting->rgba);
+  const bool painted_otherwise = understanding::departs_from_paint(*read, painting->rgba);
   const bool declared = read->marks.empty() && !read->scene.parts.empty();
   const Status made = understanding::make_parts(*read);
   if (!made && made.error().code != ErrorCode::bad_input) return made.error();

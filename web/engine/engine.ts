@@ -64,6 +64,10 @@ export class Engine {
     return this.call(async (remote) => await remote.importSvg(bytes));
   }
 
+  departsFromPaint(bytes: Uint8Array, painting: Texture): Promise<{ departs: boolean } | Failure> {
+    return this.call(async (remote) => await remote.departsFromPaint(bytes, painting));
+  }
+
   unreadFile(bytes: Uint8Array): Promise<UnreadFile | null> {
     return this.call(async (remote) => await remote.unreadFile(bytes));
   }

@@ -49,6 +49,9 @@ const endpoint = {
   async importSvg(bytes: Uint8Array) {
     return (await started()).importSvg(bytes);
   },
+  async departsFromPaint(bytes: Uint8Array, painting: Texture) {
+    return (await started()).departsFromPaint(bytes, painting);
+  },
   async unreadFile(bytes: Uint8Array) {
     return (await started()).unreadFile(bytes);
   },

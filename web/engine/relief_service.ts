@@ -65,6 +65,11 @@ export class ReliefService {
     return this.module.importSvg(bytes);
   }
 
+  /** Tells whether the shapes of an SVG drawing are not those that are painted. */
+  departsFromPaint(bytes: Uint8Array, painting: Texture): { departs: boolean } | Failure {
+    return this.module.departsFromPaint(bytes, painting.rgba, painting.width, painting.height);
+  }
+
   /** Says what a file is that could not be opened; null if there is nothing to say. */
   unreadFile(bytes: Uint8Array): UnreadFile | null {
     return this.module.unreadFile(bytes);

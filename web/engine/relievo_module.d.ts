@@ -32,6 +32,7 @@ declare module '#relievo' {
 
   export interface RelievoModule {
     importSvg(bytes: Uint8Array): SvgImport | Failure;
+    departsFromPaint(bytes: Uint8Array, rgba: Uint8Array, width: number, height: number): { departs: boolean } | Failure;
     unreadFile(bytes: Uint8Array): UnreadFile | null;
     checkSegmentation(project: string, labels: Uint8Array): object | Failure;
     importLayers(files: OutputFile[]): LayersImport | Failure;

@@ -95,6 +95,8 @@ export const english = {
   saved: 'Saved in this browser',
   notSaved: 'Not saved yet',
   proposedParts: 'The drawing does not name its parts, so they were guessed from its shapes.',
+  paintedOtherwise: 'The shapes that were read are not those that are painted, so the parts were found as in a flat drawing.',
+  readOtherwise: 'Some parts are not painted as they were read. If the model is wrong, open the drawing as PNG.',
   imageHint: 'Scribble over each part.',
   guessing: 'Looking for the parts of the picture …',
   guessed: 'These parts are guesses. To correct them, scribble over what belongs together.',

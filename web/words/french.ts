@@ -96,6 +96,8 @@ export const french: Words = {
   saved: 'Enregistré dans ce navigateur',
   notSaved: 'Pas encore enregistré',
   proposedParts: 'Le dessin ne nomme pas ses parties ; celles-ci sont devinées d’après ses formes.',
+  paintedOtherwise: 'Les formes lues ne sont pas celles qui sont peintes ; les parties ont été cherchées comme dans un dessin à plat.',
+  readOtherwise: 'Certaines parties ne sont pas peintes comme elles ont été lues. Si le modèle est faux, ouvrez le dessin en PNG.',
   imageHint: 'Gribouillez sur chaque partie.',
   guessing: 'Recherche des parties de l’image …',
   guessed: 'Ces parties sont devinées. Gribouillez sur ce qui va ensemble pour les corriger.',

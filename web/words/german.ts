@@ -96,6 +96,8 @@ export const german: Words = {
   saved: 'In diesem Browser gespeichert',
   notSaved: 'Noch nicht gespeichert',
   proposedParts: 'Die Zeichnung benennt ihre Teile nicht; sie wurden aus den Formen erraten.',
+  paintedOtherwise: 'Die gelesenen Formen sind nicht die gemalten; die Teile wurden wie in einer flachen Zeichnung gesucht.',
+  readOtherwise: 'Einige Teile sind anders gemalt als gelesen. Ist das Modell falsch, öffne die Zeichnung als PNG.',
   imageHint: 'Kritzle über jedes Teil.',
   guessing: 'Sucht die Teile des Bildes …',
   guessed: 'Diese Teile sind erraten. Kritzle über alles, was zusammengehört, um sie zu berichtigen.',

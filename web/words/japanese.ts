@@ -96,6 +96,8 @@ export const japanese: Words = {
   saved: 'このブラウザーに保存済み',
   notSaved: 'まだ保存されていません',
   proposedParts: 'この絵にはパーツ名がないので、形から推測しました。',
+  paintedOtherwise: '読み取った形と描かれた形が違うため、平らな絵としてパーツを探しました。',
+  readOtherwise: '一部のパーツは読み取りと違って描かれています。モデルがおかしい場合は、絵を PNG で開いてください。',
   imageHint: 'パーツごとに落書きしてください。',
   guessing: '画像のパーツを探しています …',
   guessed: 'パーツは推測です。まとまりの上に落書きすると直せます。',

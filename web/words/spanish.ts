@@ -96,6 +96,8 @@ export const spanish: Words = {
   saved: 'Guardado en este navegador',
   notSaved: 'Aún sin guardar',
   proposedParts: 'El dibujo no nombra partes; estas se han adivinado por sus formas.',
+  paintedOtherwise: 'Las formas leídas no son las pintadas; las partes se han buscado como en un dibujo plano.',
+  readOtherwise: 'Algunas partes no están pintadas como se han leído. Si el modelo está mal, abre el dibujo como PNG.',
   imageHint: 'Garabatea sobre cada parte.',
   guessing: 'Buscando las partes de la imagen …',
   guessed: 'Estas partes se han adivinado. Garabatea sobre lo que va junto para corregirlas.',

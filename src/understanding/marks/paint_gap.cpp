@@ -10,6 +10,9 @@ namespace {
 
 /// Least area / area of the canvas of a mark that has to show paint.
 constexpr double least_mark = 0.001;
+/// Largest share of a mark where nothing is painted. Drawings that are read well stay below a
+/// tenth.
+constexpr double most_bare = 0.03;
 /// Opacities up to this one of 255 are no paint, and those from the second one on are opaque.
 constexpr uint8_t unpainted = 8;
 constexpr uint8_t opaque = 128;
@@ -76,6 +79,11 @@ PaintGap find_paint_gap(const LayeredDrawing& drawing, const Image8& painting) {
   cover(drawing.left_out, least, comparison);
   gap.loose = loose_share(comparison);
   return gap;
+}
+
+bool departs_from_paint(const LayeredDrawing& drawing, const Image8& painting) {
+  const PaintGap gap = find_paint_gap(drawing, painting);
+  return gap.bare > most_bare || gap.loose > most_loose;
 }
 
 }  // namespace relievo::understanding

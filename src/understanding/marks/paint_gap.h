@@ -18,4 +18,14 @@ struct PaintGap {
 /// painting has four channels. Cost: O(pixels * marks) at worst.
 PaintGap find_paint_gap(const LayeredDrawing& drawing, const Image8& painting);
 
+/// Longest side of the paintings that are compared, px.
+constexpr double compared_side = 400;
+
+/// Largest share of the paint that marks may miss. Drawings that are read well stay below half.
+constexpr double most_loose = 0.1;
+
+/// Returns whether the marks that were read of a drawing are not what is painted. Precondition and
+/// cost: as for find_paint_gap.
+bool departs_from_paint(const LayeredDrawing& drawing, const Image8& painting);
+
 }  // namespace relievo::understanding

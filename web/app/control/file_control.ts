@@ -16,7 +16,7 @@ import type { Editor, ShelfPlace } from '../state/editor';
 import { download, Exports, whyOf } from './exports';
 import type { Keeper } from './keeper';
 import { documentOfLayers, layersAmong, readLayers } from '../files/layered_drawing';
-import { cutOut, flatDrawing, flatOfSvg, pictureOf, pngOf } from '../files/pictures';
+import { cutOut, flatDrawing, flatOfSvg, paintingOfSvg, pictureOf, pngOf } from '../files/pictures';
 import { documentOfScene } from '../files/scene_files';
 import type { SegmentControl } from './segment_control';
 
@@ -173,20 +173,29 @@ export class FileControl {
     const imported = await this.engine.importSvg(bytes);
     if (isFailure(imported)) throw new Error(imported.error.message);
     const content = sceneContent(imported.scene);
-    if (imported.lineArt || (imported.proposed && content.parts.length < 2)) {
+    const { paintable, lineArt, proposed } = imported;
+    const departs = !lineArt && (await this.departsFromPaint(bytes, paintable, content));
+    if (lineArt || (proposed && (content.parts.length < 2 || departs))) {
       // A drawing of lines or of a single shape is treated as a flat picture.
-      const flat = await flatOfSvg(imported.paintable, content.width, content.height);
-      await this.openImage(`${baseName(name)}.png`, flat, 'image/png');
+      const flat = await flatOfSvg(paintable, content.width, content.height);
+      await this.openImage(`${baseName(name)}.png`, flat, 'image/png', departs ? [t('paintedOtherwise')] : []);
       return;
     }
     await this.show({
       ...emptyDocument(),
       ...content,
       name: baseName(name),
-      drawing: { name, kind: 'svg', mime: 'image/svg+xml', bytes, paintable: imported.paintable },
+      drawing: { name, kind: 'svg', mime: 'image/svg+xml', bytes, paintable },
     }, keep);
-    const words = imported.proposed ? [t('proposedParts')] : [];
+    const words = [...(proposed ? [t('proposedParts')] : []), ...(departs ? [t('readOtherwise')] : [])];
     this.editor.set({ notice: [...words, ...imported.warnings].join(' ') });
+  }
+
+  /** Tells whether the shapes that were read of an SVG are not those that the browser paints. */
+  private async departsFromPaint(bytes: Uint8Array, paintable: string, canvas: { width: number; height: number }): Promise<boolean> {
+    const painting = await paintingOfSvg(paintable, canvas.width, canvas.height);
+    const compared = await this.engine.departsFromPaint(bytes, painting);
+    return !isFailure(compared) && compared.departs;
   }
 
   /**

@@ -12,6 +12,8 @@ const flatPixels = 2048 * 2048;
 const flatSide = 1600;
 /** Longer side below which each pixel of a flat drawing becomes a square, px; the command line uses the same. */
 const smallSide = 300;
+/** Longest side of a painting that is compared with what was read, px; the command line uses the same. */
+const comparedSide = 400;
 /** px */
 const stripHeight = 256;
 
@@ -56,6 +58,14 @@ export async function flatOfSvg(paintable: string, width: number, height: number
   context.drawImage(picture, 0, 0);
   picture.close();
   return pngFile(canvas.transferToImageBitmap());
+}
+
+/** Paints an SVG small, to be compared with what was read of it. */
+export async function paintingOfSvg(paintable: string, width: number, height: number): Promise<Texture> {
+  const picture = await rasterizeSvg(paintable, width, height, comparedSide);
+  const painting = pixelsOf(picture, picture.width, picture.height);
+  picture.close();
+  return painting;
 }
 
 /** Decodes a picture file and scales it down if it has more than `maxPixels` pixels. */

@@ -212,4 +212,16 @@ describe('the engine', () => {
     expect(imported.lineArt).toBe(true);
     expect(imported.paintable).toContain(picture);
   });
+
+  it('tells whether the shapes of a drawing are those that are painted', () => {
+    const svg = new TextEncoder().encode('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 40"><path fill="#c54" d="M0 0H20V40H0z"/></svg>');
+    const painting = (width: number): Texture => {
+      const rgba = new Uint8Array(4 * 40 * 40);
+      for (let i = 0; i < 40 * 40; i++) if (i % 40 < width) rgba.set([204, 85, 68, 255], 4 * i);
+      return { rgba, width: 40, height: 40 };
+    };
+    expect(must(service.departsFromPaint(svg, painting(20))).departs).toBe(false);
+    expect(must(service.departsFromPaint(svg, painting(10))).departs).toBe(true);
+    expect(must(service.departsFromPaint(svg, painting(30))).departs).toBe(true);
+  });
 });
