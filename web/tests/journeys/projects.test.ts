@@ -3,9 +3,12 @@ import { join } from 'node:path';
 import { unzipSync } from 'fflate';
 import validator from 'gltf-validator';
 import { expect, it } from 'vitest';
-import { relievo } from '../support/command_line.ts';
+import { relievo, temporaryFolder } from '../support/command_line.ts';
 import { choosePart, downloaded, sample, save } from './actions.ts';
 import { picture, pictures, reopen, settled, stageOfFile } from './browser.ts';
+
+/** For models of the command line, which are named after their files. */
+const folder = temporaryFolder();
 
 const stage = stageOfFile({ anew: true });
 
@@ -38,7 +41,7 @@ it('exports the same model as the command line makes of the saved project, and a
   const report = await validator.validateBytes(new Uint8Array(glb));
   expect(report.issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
   for (const name of ['scene.json', 'drawing.png']) writeFileSync(join(pictures, name), project[name]!);
-  const native = join(pictures, 'native.glb');
+  const native = join(folder, 'bunny.glb');
   relievo('build', join(pictures, 'scene.json'), '-q', '--vertices', '20000', '-o', native);
   expect(glb.equals(readFileSync(native))).toBe(true);
   const firstBytes: Record<string, string> = { obj: 'PK', ply: 'ply', stl: '', normal: '\x89PNG', depth: '\x89PNG', part: '\x89PNG', picture: '\x89PNG' };

@@ -2,10 +2,13 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { strToU8, unzipSync, zipSync } from 'fflate';
 import { expect, it } from 'vitest';
-import { relievo, root } from '../support/command_line.ts';
+import { relievo, root, temporaryFolder } from '../support/command_line.ts';
 import { pngOf } from '../support/pictures.ts';
 import { choosePart, downloaded, gesture, names, pageView, save, type Spot } from './actions.ts';
 import { picture, pictures, reopen, settled, stageOfFile, stillPicture } from './browser.ts';
+
+/** For models of the command line, which are named after their files. */
+const folder = temporaryFolder();
 
 const bear: Spot = [900, 1000];
 
@@ -137,7 +140,7 @@ it('opens a saved project again, continues its strokes, and builds as the comman
   expect(headOf(project).segmentation.scribbles.strokes.length).toBe(1);
   await page.click('#export');
   const glb = await downloaded(page, () => page.click('[data-export=glb]'), 'bear.glb');
-  const native = join(pictures, 'bear-native.glb');
+  const native = join(folder, 'bear.glb');
   relievo('build', join(pictures, 'bear-erased.relievo'), '-q', '--vertices', '20000', '-o', native);
   expect(glb.equals(readFileSync(native))).toBe(true);
   expect(stage.troubles).toEqual([]);
