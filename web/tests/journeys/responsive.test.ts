@@ -12,8 +12,26 @@ import { longestOfWorkers, mainThreadTasks } from './trace.ts';
 
 const stage = stageOfFile({ anew: false });
 
-/** Longest task that a user does not notice, ms of processor time. */
+/** Longest task that a user does not notice, ms of processor time on the usual machine. */
 const longest = 100;
+/** Processor time of `work` there, ms. */
+const usualWork = 40;
+
+/** Work of a fixed amount: elements are made, laid out and removed. */
+function work(): void {
+  const place = document.body.appendChild(document.createElement('div'));
+  place.innerHTML = Array.from({ length: 4000 }, (_, i) => `<p>${i} <b>${i * i}</b></p>`).join('');
+  place.getBoundingClientRect();
+  place.remove();
+}
+
+/** Returns how many times slower than the usual machine this one is, at least 1. Limits are so much higher. */
+async function slowness(): Promise<number> {
+  const times: number[] = [];
+  for (let i = 0; i < 3; i++) times.push(Math.max(...(await mainThreadTasks(stage.page, () => stage.page.evaluate(work)))));
+  console.info(`fixed work: ${Math.min(...times).toFixed(0)} ms of processor time`);
+  return Math.max(1, Math.min(...times) / usualWork);
+}
 
 async function wander(selector: string, pressed: boolean): Promise<void> {
   const { page } = stage;
@@ -66,7 +84,7 @@ it.each(Object.keys(deeds))('keeps the page free for the hand while %s', async (
   const tasks = await mainThreadTasks(stage.page, deeds[name] as () => Promise<void>);
   expect(tasks.length).toBeGreaterThan(10);
   console.info(`${name}: longest task ${Math.max(...tasks).toFixed(0)} ms of processor time`);
-  expect(Math.max(...tasks)).toBeLessThan(longest);
+  expect(Math.max(...tasks)).toBeLessThan(longest * (await slowness()));
   expect(stage.troubles).toEqual([]);
 });
 
@@ -84,7 +102,7 @@ it('keeps the page responsive with fifty parts', async () => {
     await wander('.paper canvas', false);
   });
   console.info(`fifty parts: longest task ${Math.max(...tasks).toFixed(0)} ms of processor time`);
-  expect(Math.max(...tasks)).toBeLessThan(longest);
+  expect(Math.max(...tasks)).toBeLessThan(longest * (await slowness()));
   expect(stage.troubles).toEqual([]);
 });
 
@@ -136,7 +154,7 @@ it('keeps the page responsive while a large drawing is opened, saved and opened 
   });
   for (const name of ['grain.png', 'grain.relievo']) expect(statSync(join(pictures, name)).size).toBeGreaterThan(3_000_000);
   console.info(`large drawing: longest task ${Math.max(...tasks).toFixed(0)} ms of processor time`);
-  expect(Math.max(...tasks)).toBeLessThan(longest);
+  expect(Math.max(...tasks)).toBeLessThan(longest * (await slowness()));
   expect(stage.troubles).toEqual([]);
 });
 
