@@ -196,7 +196,7 @@ void bind_sessions(py::module_& module) {
       .def("model", &LockedSession::model, py::arg("options"), py::arg("field"))
       .def("solid", &LockedSession::solid, py::arg("options"))
       .def("maps", &LockedSession::maps, py::arg("longest"));
-  module.def("read", read, py::arg("path"));
+  module.def("read", read, py::arg("path"), py::arg("pixel_art"));
 }
 
 }  // namespace relievo::python

@@ -164,7 +164,7 @@ def build(
 ) -> Relief:
     """Builds the relief of a drawing, a file that `relievo build` accepts, or of a scene with a
     `picture` of its canvas. `pixel_art` says whether the drawing keeps its pixels and colours (default:
-    told by them). Raises Error. Ctrl-C stops it."""
+    recognised by them). Raises Error. Ctrl-C stops it."""
     if isinstance(drawing, Scene):
         return Relief(drawing, _core.Source(picture, pixel_art), [], False, **options)
     if picture is not None:
