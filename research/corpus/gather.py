@@ -1,0 +1,73 @@
+#!/usr/bin/python3
+"""Gathers layered drawings whose parts, order and joins are known: gather.py PROGRAM FOLDER.
+
+Writes FOLDER/figures/ID.svg with the scene ID.json that was read of it, and FOLDER/figures.tsv. A
+drawing is kept where the layered reader takes it as such, without a warning, with enough parts.
+"""
+
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import pathlib
+import subprocess
+
+import sources
+
+LEAST_PARTS = 3
+MOST_PARTS = 60
+LIMIT = 20  # seconds
+
+COLUMNS = ("id", "split", "artist", "name", "parts")
+
+
+def scene_of(program, file, scene):
+    """Returns the parts of a drawing, or None where it is no layered drawing."""
+    words = [program, "check", file, "-o", scene, "--threads", "1"]
+    try:
+        done = subprocess.run(words, capture_output=True, text=True, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        return None
+    if done.returncode != 0 or "warning:" in done.stderr:
+        return None
+    return len(json.loads(scene.read_text())["parts"])
+
+
+def keep(program, folder, drawing):
+    """Returns the row of a drawing that is kept, or None."""
+    split, artist, name, svg = drawing
+    one = hashlib.sha256(svg.encode()).hexdigest()[:16]
+    file, scene = folder / f"{one}.svg", folder / f"{one}.json"
+    if file.exists():
+        return None
+    file.write_text(svg)
+    parts = scene_of(program, file, scene)
+    if parts is not None and LEAST_PARTS <= parts <= MOST_PARTS:
+        return dict(zip(COLUMNS, (one, split, artist, name, parts)))
+    file.unlink()
+    scene.unlink(missing_ok=True)
+    return None
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    words.add_argument("program")
+    words.add_argument("folder", type=pathlib.Path)
+    words.add_argument("--jobs", type=int, default=2)
+    given = words.parse_args()
+    figures = given.folder / "figures"
+    figures.mkdir(parents=True, exist_ok=True)
+    with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
+        drawings = sources.all_drawings(given.folder / "sources")
+        rows = [row for row in pool.map(lambda one: keep(given.program, figures, one), drawings) if row]
+    with (given.folder / "figures.tsv").open("w") as table:
+        print(*COLUMNS, sep="\t", file=table)
+        for row in sorted(rows, key=lambda row: (row["split"], row["artist"], row["id"])):
+            print(*row.values(), sep="\t", file=table)
+    for split in sources.SPLITS:
+        chosen = [row for row in rows if row["split"] == split]
+        print(split, len(chosen), "figures by", len({row["artist"] for row in chosen}), "hands")
+
+
+if __name__ == "__main__":
+    main()

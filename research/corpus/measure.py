@@ -1,0 +1,153 @@
+"""Measures what was understood of a flat picture against what is known of its figure."""
+
+import numpy as np
+from PIL import Image, ImageChops, ImageDraw
+from scipy import ndimage
+
+LEAST_PART = 0.004  # of the figure's area; smaller parts do not count
+CONTOUR_REACH = 2 / 800  # of the size
+LEAST_SHARED = 0.01  # of the size: border of a pair that counts
+
+
+def filled(outline, scale, size):
+    """Returns where a region is, rings by the even-odd rule."""
+    region = Image.new("1", size)
+    for ring in outline:
+        one = Image.new("1", size)
+        ImageDraw.Draw(one).polygon([(x * scale, y * scale) for x, y in ring], fill=1)
+        region = ImageChops.logical_xor(region, one)
+    return np.asarray(region)
+
+
+def whole_parts(scene, side):
+    """Returns the whole parts of a scene, back to front, in a picture of the given longest side."""
+    width, height = scene["canvas"]["width"], scene["canvas"]["height"]
+    scale = side / max(width, height)
+    size = max(1, round(width * scale)), max(1, round(height * scale))
+    return [filled(part["outline"], scale, size) for part in scene["parts"]]
+
+
+def visible_parts(wholes, shape):
+    """Returns the map of visible parts: 0 none, k + 1 part k."""
+    parts = np.zeros(shape, int)
+    for k, whole in enumerate(wholes):
+        parts[whole] = k + 1
+    return parts
+
+
+def pairs_of(scene):
+    """Returns the joined pairs and those whose order is stated otherwise, by index."""
+    index = {part["id"]: k for k, part in enumerate(scene["parts"])}
+    joins = {(index[one["upper"]], index[one["lower"]]) for one in scene.get("joins", [])}
+    level = set()
+    for one in scene.get("relations", []):
+        pair = index[one["upper"]], index[one["lower"]]
+        (joins if one["relation"] == "joined" else level).add(pair)
+    return joins, level
+
+
+def fitted(parts, shape):
+    rows = ((np.arange(shape[0]) + 0.5) * parts.shape[0] / shape[0]).astype(int)
+    columns = ((np.arange(shape[1]) + 0.5) * parts.shape[1] / shape[1]).astype(int)
+    return parts[rows][:, columns]
+
+
+def matches(true, found):
+    """Returns {found part: true part} of parts that share half of their union, and both counts."""
+    figure = (true > 0).sum()
+    sizes = [np.bincount(parts.ravel(), minlength=2) for parts in (true, found)]
+    large = [{k for k in np.flatnonzero(size) if k and size[k] > LEAST_PART * figure} for size in sizes]
+    shared = np.zeros((len(sizes[0]), len(sizes[1])), int)
+    np.add.at(shared, (true.ravel(), found.ravel()), 1)
+    pairs = {}
+    for t in large[0]:
+        for f in large[1]:
+            if 2 * shared[t, f] >= sizes[0][t] + sizes[1][f] - shared[t, f]:
+                pairs[f] = t
+    return pairs, len(large[0]), len(large[1])
+
+
+def f1(hits, wanted, got):
+    return 2 * hits / (wanted + got) if wanted + got else 1.0
+
+
+def variation_of_information(true, found):
+    """Returns the variation of information inside the true figure, bits."""
+    inside = true > 0
+    _, joint = np.unique(true[inside] * 100003 + found[inside], return_counts=True)
+    entropies = []
+    for parts in (true, found):
+        _, counts = np.unique(parts[inside], return_counts=True)
+        share = counts / counts.sum()
+        entropies.append(-(share * np.log2(share)).sum())
+    share = joint / joint.sum()
+    return 2 * -(share * np.log2(share)).sum() - sum(entropies)
+
+
+def contours(parts):
+    edges = np.zeros(parts.shape, bool)
+    edges[:-1] |= np.diff(parts, axis=0) != 0
+    edges[:, :-1] |= np.diff(parts, axis=1) != 0
+    return edges
+
+
+def contour_f1(true, found):
+    reach = max(1.5, CONTOUR_REACH * max(true.shape))
+    edges = [contours(true), contours(found)]
+    far = [ndimage.distance_transform_edt(~one) for one in edges]
+    hit = [(far[1 - k][edges[k]] <= reach).mean() if edges[k].any() else 0.0 for k in range(2)]
+    return 2 * hit[0] * hit[1] / (hit[0] + hit[1]) if sum(hit) else 0.0
+
+
+def neighbours(parts):
+    """Returns {(a, b), a < b: length of the border that two parts share, px}."""
+    lengths = {}
+    for a, b in ((parts[:-1], parts[1:]), (parts[:, :-1], parts[:, 1:])):
+        differ = (a != b) & (a > 0) & (b > 0)
+        low, high = np.minimum(a, b)[differ], np.maximum(a, b)[differ]
+        keys, counts = np.unique(low * 100003 + high, return_counts=True)
+        for key, count in zip(keys, counts):
+            pair = int(key // 100003), int(key % 100003)
+            lengths[pair] = lengths.get(pair, 0) + int(count)
+    return lengths
+
+
+def ordered_pairs(scene, wholes, parts):
+    """Returns the pairs (upper, lower) of parts that border on each other and overlap, numbered from
+    1, without those on one level."""
+    joins, level = pairs_of(scene)
+    found = set()
+    for (a, b), length in neighbours(parts).items():
+        lower, upper = a - 1, b - 1
+        if length < LEAST_SHARED * max(parts.shape) or {(upper, lower), (lower, upper)} & level:
+            continue
+        if (wholes[upper] & wholes[lower]).sum() > 0:
+            found.add((b, a))
+    return found
+
+
+def renamed(pairs, names):
+    return {(names[a], names[b]) for a, b in pairs if a in names and b in names}
+
+
+def compare(true, found):
+    """Returns the figures of merit of one picture. `true` and `found`: (map of visible parts, whole
+    parts, scene), the maps of one size."""
+    parts, seen = true[0], fitted(found[0], true[0].shape)
+    pairs, wanted, got = matches(parts, seen)
+    in_pairs = renamed(ordered_pairs(found[2], found[1], found[0]), pairs)
+    truth = ordered_pairs(true[2], true[1], visible_parts(true[1], true[1][0].shape))
+    known = set(pairs.values())
+    truth = {pair for pair in truth if set(pair) <= known}
+    joins = {(a + 1, b + 1) for a, b in pairs_of(true[2])[0]}
+    joins = {pair for pair in joins if set(pair) <= known}
+    in_joins = renamed({(a + 1, b + 1) for a, b in pairs_of(found[2])[0]}, pairs)
+    union = ((parts > 0) | (seen > 0)).sum()
+    return {
+        "figure": ((parts > 0) & (seen > 0)).sum() / max(1, union),
+        "parts": f1(len(pairs), wanted, got),
+        "information": variation_of_information(parts, seen),
+        "contours": contour_f1(parts, seen),
+        "pairs": f1(len(in_pairs & truth), len(truth), len(in_pairs)),
+        "joins": f1(len(in_joins & joins), len(joins), len(in_joins)),
+    }
