@@ -2,7 +2,8 @@
 """Gathers layered drawings whose parts, order and joins are known: gather.py PROGRAM FOLDER.
 
 Writes FOLDER/figures/ID.svg with the scene ID.json that was read of it, and FOLDER/figures.tsv. A
-drawing is kept where the layered reader takes it as such, without a warning, with enough parts.
+drawing is kept where the layered reader takes it as such, without a warning, with enough parts. A
+run that was stopped goes on where it was.
 """
 
 import argparse
@@ -21,8 +22,8 @@ LIMIT = 20  # seconds
 COLUMNS = ("id", "split", "artist", "name", "parts")
 
 
-def scene_of(program, file, scene):
-    """Returns the parts of a drawing, or None where it is no layered drawing."""
+def parts_of(program, file, scene):
+    """Writes the scene of a drawing and returns the number of its parts, or None where it is no layered drawing."""
     words = [program, "check", file, "-o", scene, "--threads", "1"]
     try:
         done = subprocess.run(words, capture_output=True, text=True, timeout=LIMIT)
@@ -33,15 +34,20 @@ def scene_of(program, file, scene):
     return len(json.loads(scene.read_text())["parts"])
 
 
+def digest(svg):
+    return hashlib.sha256(svg.encode()).hexdigest()[:16]
+
+
 def keep(program, folder, drawing):
     """Returns the row of a drawing that is kept, or None."""
     split, artist, name, svg = drawing
-    one = hashlib.sha256(svg.encode()).hexdigest()[:16]
+    one = digest(svg)
     file, scene = folder / f"{one}.svg", folder / f"{one}.json"
-    if file.exists():
-        return None
-    file.write_text(svg)
-    parts = scene_of(program, file, scene)
+    if scene.exists():
+        parts = len(json.loads(scene.read_text())["parts"])
+    else:
+        file.write_text(svg)
+        parts = parts_of(program, file, scene)
     if parts is not None and LEAST_PARTS <= parts <= MOST_PARTS:
         return dict(zip(COLUMNS, (one, split, artist, name, parts)))
     file.unlink()
@@ -58,8 +64,9 @@ def main():
     figures = given.folder / "figures"
     figures.mkdir(parents=True, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
-        drawings = sources.all_drawings(given.folder / "sources")
-        rows = [row for row in pool.map(lambda one: keep(given.program, figures, one), drawings) if row]
+        drawings = {digest(one[3]): one for one in sources.all_drawings(given.folder / "sources")}
+        kept = pool.map(lambda one: keep(given.program, figures, one), drawings.values())
+        rows = [row for row in kept if row]
     with (given.folder / "figures.tsv").open("w") as table:
         print(*COLUMNS, sep="\t", file=table)
         for row in sorted(rows, key=lambda row: (row["split"], row["artist"], row["id"])):
