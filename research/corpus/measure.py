@@ -91,8 +91,8 @@ def contours(parts):
     return edges
 
 
-def contour_f1(true, found):
-    reach = max(1.5, CONTOUR_REACH * max(true.shape))
+def contour_f1(true, found, pixel):
+    reach = max(1.5, CONTOUR_REACH * max(true.shape), pixel)
     edges = [contours(true), contours(found)]
     far = [ndimage.distance_transform_edt(~one) for one in edges]
     hit = [(far[1 - k][edges[k]] <= reach).mean() if edges[k].any() else 0.0 for k in range(2)]
@@ -130,9 +130,9 @@ def renamed(pairs, names):
     return {(names[a], names[b]) for a, b in pairs if a in names and b in names}
 
 
-def compare(true, found):
+def compare(true, found, pixel):
     """Returns the figures of merit of one picture. `true` and `found`: (map of visible parts, whole
-    parts, scene), the maps of one size."""
+    parts, scene). `pixel`: side of the picture's pixels in the true map."""
     parts, seen = true[0], fitted(found[0], true[0].shape)
     pairs, wanted, got = matches(parts, seen)
     in_pairs = renamed(ordered_pairs(found[2], found[1], found[0]), pairs)
@@ -147,7 +147,7 @@ def compare(true, found):
         "figure": ((parts > 0) & (seen > 0)).sum() / max(1, union),
         "parts": f1(len(pairs), wanted, got),
         "information": variation_of_information(parts, seen),
-        "contours": contour_f1(parts, seen),
+        "contours": contour_f1(parts, seen, pixel),
         "pairs": f1(len(in_pairs & truth), len(truth), len(in_pairs)),
         "joins": f1(len(in_joins & joins), len(joins), len(in_joins)),
     }

@@ -83,7 +83,8 @@ def results_of(program, corpus, row, each):
             if found is None:
                 result |= dict.fromkeys(MEASURES, 0.0) | {"information": np.nan}
             else:
-                result |= measure.compare((parts, wholes, scene), found)
+                pixel = max(parts.shape) / max(picture.shape[:2])
+                result |= measure.compare((parts, wholes, scene), found, pixel)
             results.append(result)
     return results
 
