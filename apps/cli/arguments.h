@@ -24,7 +24,7 @@ struct CommonArguments {
   double timeout = 0;   ///< s; 0: none
   int threads = 0;      ///< 0: one per processor
   bool connect = true;  ///< guess how parts of a layered drawing connect if it does not say so
-  std::optional<bool> pixel_art{};  ///< default: told by colours and steps
+  std::optional<bool> pixel_art{};  ///< default: recognised by own_pixels
 };
 
 /// A cue on the part with the given id, which is looked up once the scene is known.
@@ -49,7 +49,7 @@ struct ReliefArguments {
   double nozzle = usual_nozzle;  ///< mm, of the printer that solids are checked for
 };
 
-/// Whether files to print hold closed solids.
+/// Returns whether files to print hold closed solids.
 inline bool prints_solids(const ReliefArguments& relief) {
   return relief.solid.value_or(!relief.visibility);
 }

@@ -58,8 +58,8 @@ const Model* written_model(const Products& products) {
   return products.made ? &products.made->drawn.model : nullptr;
 }
 
-/// Simplifies the model to a level of detail, if the options ask for that.
-/// `name`: the file's, after which a model of one mesh is named.
+/// Simplifies the model to a level of detail, if the options ask for that. A model of one mesh is
+/// named after the file `name`.
 void make_level(Products& products, const BuildArguments& build, int level,
                 const std::string& name) {
   if (build.triangles == 0 && build.levels == 1 && !build.one_mesh) return;
@@ -96,8 +96,9 @@ std::string summary(const std::string& name, size_t parts, const Model& model, d
          " x " + side(box.max.z - box.min.z) + " mm";
 }
 
-/// Returns the longest side of the texture of a level of detail, px.
+/// Returns the longest side of the texture of a level of detail, px; 0 for the drawing's own.
 int texture_size(const BuildArguments& build, const Drawing& drawing, int level) {
+  if (level == 0) return build.texture_size;
   const int own = std::max(drawing.rgba.width, drawing.rgba.height);
   const int finest = build.texture_size > 0 ? std::min(build.texture_size, own) : own;
   return std::max(finest >> level, least_texture_size);

@@ -60,7 +60,7 @@ void add_size(CLI::App& app, double& mm, double least, double most) {
 void add_pixel_art(CLI::App& app, CommonArguments& common) {
   add_choice(app, "--pixel-art", common.pixel_art,
              "Whether the drawing is pixel art, which keeps its pixels and colours: yes or no "
-             "(default: told by its colours and steps)",
+             "(default: recognised by its colours and steps)",
              {{"yes", true}, {"no", false}});
 }
 

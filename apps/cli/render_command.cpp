@@ -30,9 +30,10 @@ struct Subject {
   std::vector<std::filesystem::path> files;  ///< inputs, never overwritten
 };
 
-Result<Subject> load_model(const InputFile& input) {
+Result<Subject> load_model(const InputFile& input, const RenderArguments& render) {
   auto drawn = decode_glb(input.bytes);
   if (!drawn) return in_file(drawn.error(), input.name);
+  settle_pixel_art(render.common, drawn->drawing);
   Subject subject{std::move(*drawn), {}};
   if (input.name != "-") subject.files.emplace_back(input.name);
   return subject;
@@ -60,10 +61,9 @@ Status run_render(const RenderArguments& render, Interruption& interruption) {
   if (!input) return input.error();
   Progress progress;
   const RunContext context = progress.context(interruption.flag());
-  auto subject = sniff(input->bytes) == InputKind::glb ? load_model(*input)
-                                                       : build_model(*input, render, context);
+  const auto subject = sniff(input->bytes) == InputKind::glb ? load_model(*input, render)
+                                                             : build_model(*input, render, context);
   if (!subject) return subject.error();
-  settle_pixel_art(render.common, subject->drawn.drawing);
   Outputs outputs;
   outputs.add(render.output, [&] {
     return draw_picture(subject->drawn.model, subject->drawn.drawing, render, context);

@@ -22,7 +22,7 @@ Bytes to_bytes(const emscripten::val& array);
 /// Makes a picture of pixels of 4 bytes each, straight alpha.
 Image8 to_image(const emscripten::val& rgba, int width, int height);
 
-/// Makes a drawing of such pixels, and tells whether it is pixel art. It is empty if a side is.
+/// Makes a drawing of such pixels and recognises pixel art. It is empty if a side is 0.
 Drawing to_drawing(const emscripten::val& rgba, int width, int height);
 
 /// Returns the coordinates of points, one after the other.

@@ -29,7 +29,8 @@ struct ExportOptions {
   Slicer slicer = Slicer::prusa;
 };
 
-/// Whether a file is for a printer, which needs a closed body (Session::solid): .stl and .3mf.
+/// Returns whether a file is for a printer, which needs a closed body (Session::solid): .stl and
+/// .3mf.
 inline bool is_for_print(const std::filesystem::path& path) {
   const std::filesystem::path ending = path.extension();
   return ending == ".stl" || ending == ".3mf";

@@ -12,7 +12,7 @@ namespace relievo {
 namespace {
 
 // Tuned on the sprites of a game and on drawings and icons of 16 to 256 px: nine sprites of ten are
-// told, and one of a hundred others is taken for one.
+// recognised, and one of a hundred others is taken for one.
 constexpr size_t most_colours = 64;
 constexpr double most_blended = 0.3;  ///< share of pixels on steps that blend both sides
 constexpr double least_step = 60;     ///< distance of colours on both sides of a step

@@ -31,7 +31,7 @@ DrawnModel dress_hidden(Model model, Drawing drawing);
 /// outline, those beside it that blend with paper, and narrow slivers of paper inside it get the
 /// colours further inside: surfaces are steep there, so that a fraction of a pixel shows as a broad
 /// strip of paper when the model is turned. The model's texture coordinates are on all of it.
-/// O(pixels). Of pixel art its own pixels are carried (extend_own_pixels).
+/// Pixel art is extended by whole squares (extend_own_pixels). O(pixels).
 void extend_paint(const Model& model, Drawing& drawing);
 
 }  // namespace relievo::relief

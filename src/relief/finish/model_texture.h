@@ -8,8 +8,8 @@ namespace relievo::relief {
 /// Returns the drawing as an opaque texture of the model, RGB at the drawing's resolution. Inside
 /// the front view of the model, transparent pixels are blended with white; outside, and within two
 /// pixels of the silhouette, they take the colour of the nearest opaque one, so that neither black
-/// nor paper fringes the model when the texture is filtered. All transparent pixels of pixel art
-/// do, so that its colours are all there are. Empty if the drawing is. Linear in
+/// nor paper fringes the model when the texture is filtered. Of pixel art, all transparent
+/// pixels do, so that the texture has no further colours. Empty if the drawing is. Linear in
 /// pixels and in faces times their size.
 Image8 model_texture(const Model& model, const Drawing& drawing);
 
