@@ -8,7 +8,7 @@ import dataclasses
 import io
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageDraw
 from scipy import ndimage
 
 MARGIN = 0.08  # of paper around the figure, of its longest side
@@ -263,6 +263,128 @@ def tile(figure, rng):
     return as_picture(over(ground, figure.rgb, figure.alpha)), figure.parts
 
 
+def scattered(shape, count, rng):
+    """Returns `count` centres in a picture."""
+    return zip(rng.integers(0, shape[0], count), rng.integers(0, shape[1], count))
+
+
+def stroke_image(shape, starts, lengths, angles, width):
+    """Returns the cover of short straight strokes."""
+    drawn = Image.new("L", shape[::-1])
+    pen = ImageDraw.Draw(drawn)
+    for (y, x), length, angle in zip(starts, lengths, angles):
+        ends = [x, y, x + length * np.cos(angle), y + length * np.sin(angle)]
+        pen.line([float(value) for value in ends], fill=255, width=max(1, round(width)))
+    return ndimage.gaussian_filter(np.asarray(drawn) / 255.0, 0.6)
+
+
+def marked(figure, rng):
+    """Draws lines, and short strokes inside the parts: fur, wrinkles, folds."""
+    figure = with_margin(figure)
+    count = int(rng.integers(15, 120))
+    lengths = figure.size * rng.uniform(0.01, 0.08, count)
+    angles = rng.uniform(0, 2 * np.pi) + rng.normal(0, rng.uniform(0.2, 2), count)
+    starts = scattered(figure.parts.shape, count, rng)
+    cover = stroke_image(figure.parts.shape, starts, lengths, angles, 0.004 * figure.size)
+    inside = ndimage.binary_erosion(figure.parts > 0, iterations=4)
+    ground = over(white(figure), INK, cover * inside)
+    parts = with_line(figure.parts, pen_of(figure, 0.005))
+    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+
+
+def blotches(shape, size, share, rng):
+    """Returns where a pattern of blotches or stripes lies, which covers a share of the picture."""
+    longer = rng.uniform(1, 6)
+    scales = (size, size * longer) if rng.random() < 0.5 else (size * longer, size)
+    values = ndimage.gaussian_filter(rng.standard_normal(shape), scales)
+    return values > np.quantile(values, 1 - share)
+
+
+def pattern_of(figure, rng):
+    """Returns where a pattern lies on about half of the parts."""
+    blotch = blotches(figure.parts.shape, rng.uniform(0.01, 0.03) * figure.size, rng.uniform(0.2, 0.5), rng)
+    patterned = np.concatenate([[False], rng.random(figure.parts.max()) < 0.6])
+    return blotch & patterned[figure.parts]
+
+
+def spotted(figure, rng):
+    """Paints spots or stripes on the parts."""
+    figure = with_margin(figure)
+    shade = figure.rgb * rng.uniform(0.2, 0.7) if rng.random() < 0.7 else 255 - figure.rgb / 3
+    cover = ndimage.gaussian_filter(pattern_of(figure, rng).astype(float), 0.7) * figure.alpha
+    return as_picture(over(over(white(figure), figure.rgb, figure.alpha), shade, cover)), figure.parts
+
+
+def patches(figure, rng):
+    """Draws lines, and the outlines of patches on the parts."""
+    figure = with_margin(figure)
+    edges = borders(pattern_of(figure, rng).astype(int)) & (figure.parts > 0)
+    cover = strokes(edges, pen_of(figure, 0.004), 0, rng)
+    ground = over(white(figure), INK, cover)
+    parts = with_line(figure.parts, pen_of(figure, 0.005))
+    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+
+
+def meadow(figure, rng):
+    """Draws lines before a horizon, stones and grass."""
+    figure = with_margin(figure)
+    shape = figure.parts.shape
+    drawn = Image.new("L", shape[::-1])
+    pen = ImageDraw.Draw(drawn)
+    width = max(2, round(pen_of(figure, 0.005)))
+    height = rng.uniform(0.3, 0.8) * shape[0]
+    wave = height + 0.02 * figure.size * np.sin(np.arange(shape[1]) / rng.uniform(20, 200))
+    pen.line([(x, float(y)) for x, y in enumerate(wave)], fill=255, width=width)
+    for y, x in scattered(shape, int(rng.integers(0, 6)), rng):
+        a, b = figure.size * rng.uniform(0.02, 0.08, 2)
+        if y > height:
+            pen.ellipse([x - a, y - b, x + a, y + b], outline=255, width=width)
+    count = int(rng.integers(0, 60))
+    grass = [(y, x) for y, x in scattered(shape, count, rng) if y > height]
+    lengths = figure.size * rng.uniform(0.01, 0.04, len(grass))
+    angles = -np.pi / 2 + rng.normal(0, 0.3, len(grass))
+    cover = np.maximum(np.asarray(drawn) / 255.0, stroke_image(shape, grass, lengths, angles, 0.7 * width))
+    parts = with_line(figure.parts, pen_of(figure, 0.005))
+    ground = over(white(figure), INK, cover * (parts == 0))
+    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+
+
+def shadow(figure, rng):
+    """Paints the figure with the shadow that it casts, soft or hard, on the page or on transparency."""
+    figure = with_margin(figure)
+    height, width = figure.parts.shape
+    rows, columns = np.indices(figure.parts.shape)
+    foot = np.nonzero((figure.parts > 0).any(axis=1))[0][-1] if figure.parts.any() else height // 2
+    across, down = rng.uniform(0.15, 0.4) * width, rng.uniform(0.02, 0.06) * height
+    reach = np.hypot((columns - width / 2) / across, (rows - foot) / down)
+    cover = rng.uniform(0.2, 0.6) * np.clip((1 - reach) * rng.choice([2.0, 20.0]), 0, 1)
+    if rng.random() < 0.4:
+        alpha = np.maximum(figure.alpha, cover)
+        colour = np.where((figure.alpha > 0)[..., None], figure.rgb, 0)
+        return np.dstack([as_picture(colour), as_picture(255 * alpha)]), figure.parts
+    ground = over(white(figure), np.array([40.0, 40, 50]), cover)
+    return as_picture(over(ground, figure.rgb, figure.alpha)), figure.parts
+
+
+def page(figure, rng):
+    """Photographs a drawing on a page that lies on a table."""
+    manner = [crayon, pencil, line_of(0.005), ruled][int(rng.integers(4))]
+    picture, parts = manner(figure, rng)
+    border = round(rng.uniform(0.04, 0.15) * figure.size)
+    picture = np.pad(picture, [(border, border), (border, border), (0, 0)]).astype(float)
+    paper = np.pad(np.ones(parts.shape), border)
+    parts = np.pad(parts, border)
+    grain = noise((paper.shape[0], 1), 2, rng) + 0.3 * noise(paper.shape, 3, rng)
+    table = rng.uniform(40, 200, 3) + rng.uniform(2, 12) * grain[..., None]
+    seen = np.where(paper[..., None] > 0, picture, table)
+    corners = rng.uniform(-0.04, 0.04, (4, 2))
+    seen, parts = warped(seen, corners, 1), warped(parts, corners, 0)
+    rows, columns = np.indices(parts.shape) / max(parts.shape)
+    at = rng.uniform(0.2, 0.8, 2)
+    lamp = 1.0 - rng.uniform(0.1, 0.4) * np.hypot(rows - at[0], columns - at[1])
+    return as_jpeg(as_picture(seen * lamp[..., None] + rng.normal(0, 2, seen.shape)), 85), parts
+
+
 def clear(figure, rng):
     """Draws lines on transparency."""
     figure = with_margin(figure)
@@ -316,6 +438,12 @@ MANNERS = {
     "photograph": photograph,
     "scenery": scenery,
     "tile": tile,
+    "marked": marked,
+    "spotted": spotted,
+    "patches": patches,
+    "meadow": meadow,
+    "shadow": shadow,
+    "page": page,
     "clear": clear,
     "cut out": cut_out,
     "small 32": small_of(32),
