@@ -7,6 +7,7 @@ from scipy import ndimage
 LEAST_PART = 0.004  # of the figure's area; smaller parts do not count
 CONTOUR_REACH = 2 / 800  # of the size
 LEAST_SHARED = 0.01  # of the size: border of a pair that counts
+LEAST_OVERLAP = 0.1  # of the smaller whole part: overlap that shows which of a pair is in front
 
 
 def filled(outline, scale, size):
@@ -50,6 +51,16 @@ def fitted(parts, shape):
     rows = ((np.arange(shape[0]) + 0.5) * parts.shape[0] / shape[0]).astype(int)
     columns = ((np.arange(shape[1]) + 0.5) * parts.shape[1] / shape[1]).astype(int)
     return parts[rows][:, columns]
+
+
+def pieces(parts):
+    """Returns the map of the connected pieces of visible parts: a drawing does not show that two eyes,
+    or the ends of a belt on both sides of an arm, are one part."""
+    found = np.zeros(parts.shape, int)
+    for part in np.unique(parts[parts > 0]):
+        label, _ = ndimage.label(parts == part)
+        found = np.where(label > 0, label + found.max(), found)
+    return found
 
 
 def matches(true, found):
@@ -112,16 +123,17 @@ def neighbours(parts):
     return lengths
 
 
-def ordered_pairs(scene, wholes, parts):
-    """Returns the pairs (upper, lower) of parts that border on each other and overlap, numbered from
-    1, without those on one level."""
-    joins, level = pairs_of(scene)
+def ordered_pairs(scene, wholes, parts, least):
+    """Returns the pairs (upper, lower) of parts that border on each other and overlap by more than a
+    share of the smaller one, numbered from 1, without those on one level."""
+    level = pairs_of(scene)[1]
     found = set()
     for (a, b), length in neighbours(parts).items():
         lower, upper = a - 1, b - 1
         if length < LEAST_SHARED * max(parts.shape) or {(upper, lower), (lower, upper)} & level:
             continue
-        if (wholes[upper] & wholes[lower]).sum() > 0:
+        smaller = min(wholes[upper].sum(), wholes[lower].sum())
+        if (wholes[upper] & wholes[lower]).sum() > least * smaller:
             found.add((b, a))
     return found
 
@@ -134,19 +146,23 @@ def compare(true, found, pixel):
     """Returns the figures of merit of one picture. `true` and `found`: (map of visible parts, whole
     parts, scene). `pixel`: side of the picture's pixels in the true map."""
     parts, seen = true[0], fitted(found[0], true[0].shape)
-    pairs, wanted, got = matches(parts, seen)
-    in_pairs = renamed(ordered_pairs(found[2], found[1], found[0]), pairs)
-    truth = ordered_pairs(true[2], true[1], visible_parts(true[1], true[1][0].shape))
+    pairs = matches(parts, seen)[0]
+    true_pieces, seen_pieces = pieces(parts), pieces(seen)
+    same, wanted, got = matches(true_pieces, seen_pieces)
+    truth = ordered_pairs(true[2], true[1], visible_parts(true[1], true[1][0].shape), LEAST_OVERLAP)
     known = set(pairs.values())
     truth = {pair for pair in truth if set(pair) <= known}
+    ordered = {frozenset(pair) for pair in truth}
+    in_pairs = renamed(ordered_pairs(found[2], found[1], found[0], 0), pairs)
+    in_pairs = {pair for pair in in_pairs if frozenset(pair) in ordered}
     joins = {(a + 1, b + 1) for a, b in pairs_of(true[2])[0]}
     joins = {pair for pair in joins if set(pair) <= known}
     in_joins = renamed({(a + 1, b + 1) for a, b in pairs_of(found[2])[0]}, pairs)
     union = ((parts > 0) | (seen > 0)).sum()
     return {
         "figure": ((parts > 0) & (seen > 0)).sum() / max(1, union),
-        "parts": f1(len(pairs), wanted, got),
-        "information": variation_of_information(parts, seen),
+        "parts": f1(len(same), wanted, got),
+        "information": variation_of_information(true_pieces, seen_pieces),
         "contours": contour_f1(parts, seen, pixel),
         "pairs": f1(len(in_pairs & truth), len(truth), len(in_pairs)),
         "joins": f1(len(in_joins & joins), len(joins), len(in_joins)),
