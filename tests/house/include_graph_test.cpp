@@ -33,10 +33,13 @@ TEST(IncludeGraph, IsTheDataFlow) {
 
 TEST(IncludeGraph, NamesFilesByTheirFullPath) {
   const fs::path root = RELIEVO_SOURCE_DIR;
+  // The build makes it from network.bin.
+  const std::string made = "understanding/perception/network_bytes.inc";
   for (const SourceFile& file : source_files())
     for (const std::string& target : includes(file.text))
-      EXPECT_TRUE(fs::exists(root / "src" / target) || fs::exists(root / "include" / target) ||
-                  fs::exists(root / target) || fs::exists(root / "tests" / target))
+      EXPECT_TRUE(target == made || fs::exists(root / "src" / target) ||
+                  fs::exists(root / "include" / target) || fs::exists(root / target) ||
+                  fs::exists(root / "tests" / target))
           << file.path << " includes " << target;
 }
 
