@@ -1,10 +1,10 @@
 #!/bin/sh
 # Installs the Debian packages that are missing; does nothing, quickly, where all are there.
-# Usage: install-packages.sh [build|python|web|test|bench|docs|fuzz|figures|all]
+# Usage: install-packages.sh [build|python|web|test|bench|docs|fuzz|figures|learn|all]
 # build: to compile and run; web: those and for the editor; test: all of these and to test; bench:
 # the first and to measure; python: the first, and for the Python module and its tests; docs: to make
 # pages of the interface; fuzz: the first and to fuzz; figures: the first and to remake the pictures
-# of docs/figures.md; all: those of test and python, and for the tests
+# of docs/figures.md; learn: the first and to learn from a corpus of drawings; all: those of test and python, and for the tests
 # of packages, of printing, of Blender and of a Slurm cluster of one machine
 set -eu
 
@@ -17,11 +17,12 @@ test="admesh chromium clang-format clang-tidy coinor-libipopt-dev lib3mf-dev lib
   librapidcheck-dev libvalijson-dev shellcheck"
 bench="libbenchmark-dev libopenblas0-pthread libopenblas-pthread-dev libsuitesparse-dev python3"
 figures="imagemagick librsvg2-bin python3 python3-numpy python3-pil"
+learn="librsvg2-bin python3 python3-numpy python3-pil python3-scipy python3-sklearn python3-torch"
 python="libpython3-dev mypy pybind11-dev python3 python3-numpy python3-pil python3-pytest"
 all="blender debootstrap lintian munge prusa-slicer slurm-client slurmctld slurmd"
 
 # Any node serves; Debian's where there is none.
-command -v npm > /dev/null || web="$web nodejs npm"
+command -v npm > /dev/null || { web="$web nodejs npm" learn="$learn nodejs npm"; }
 
 case "${1:-test}" in
   build) wanted="$build" ;;
@@ -32,8 +33,9 @@ case "${1:-test}" in
   bench) wanted="$build $bench" ;;
   docs) wanted="doxygen" ;;
   figures) wanted="$build $figures" ;;
+  learn) wanted="$build $learn" ;;
   fuzz) wanted="$build clang libclang-rt-14-dev" ;;
-  *) echo "usage: $0 [build|python|web|test|bench|docs|fuzz|figures|all]" >&2; exit 2 ;;
+  *) echo "usage: $0 [build|python|web|test|bench|docs|fuzz|figures|learn|all]" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null; then

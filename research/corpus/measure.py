@@ -7,6 +7,7 @@ from scipy import ndimage
 LEAST_PART = 0.004  # of the figure's area; smaller parts do not count
 CONTOUR_REACH = 2 / 800  # of the size
 LEAST_SHARED = 0.01  # of the size: border of a pair that counts
+LEAST_OVERLAP = 0.1  # of the smaller whole part: overlap that shows which of a pair is in front
 
 
 def filled(outline, scale, size):
@@ -112,16 +113,17 @@ def neighbours(parts):
     return lengths
 
 
-def ordered_pairs(scene, wholes, parts):
-    """Returns the pairs (upper, lower) of parts that border on each other and overlap, numbered from
-    1, without those on one level."""
-    joins, level = pairs_of(scene)
+def ordered_pairs(scene, wholes, parts, least):
+    """Returns the pairs (upper, lower) of parts that border on each other and overlap by more than a
+    share of the smaller one, numbered from 1, without those on one level."""
+    level = pairs_of(scene)[1]
     found = set()
     for (a, b), length in neighbours(parts).items():
         lower, upper = a - 1, b - 1
         if length < LEAST_SHARED * max(parts.shape) or {(upper, lower), (lower, upper)} & level:
             continue
-        if (wholes[upper] & wholes[lower]).sum() > 0:
+        smaller = min(wholes[upper].sum(), wholes[lower].sum())
+        if (wholes[upper] & wholes[lower]).sum() > least * smaller:
             found.add((b, a))
     return found
 
@@ -135,10 +137,12 @@ def compare(true, found, pixel):
     parts, scene). `pixel`: side of the picture's pixels in the true map."""
     parts, seen = true[0], fitted(found[0], true[0].shape)
     pairs, wanted, got = matches(parts, seen)
-    in_pairs = renamed(ordered_pairs(found[2], found[1], found[0]), pairs)
-    truth = ordered_pairs(true[2], true[1], visible_parts(true[1], true[1][0].shape))
+    truth = ordered_pairs(true[2], true[1], visible_parts(true[1], true[1][0].shape), LEAST_OVERLAP)
     known = set(pairs.values())
     truth = {pair for pair in truth if set(pair) <= known}
+    ordered = {frozenset(pair) for pair in truth}
+    in_pairs = renamed(ordered_pairs(found[2], found[1], found[0], 0), pairs)
+    in_pairs = {pair for pair in in_pairs if frozenset(pair) in ordered}
     joins = {(a + 1, b + 1) for a, b in pairs_of(true[2])[0]}
     joins = {pair for pair in joins if set(pair) <= known}
     in_joins = renamed({(a + 1, b + 1) for a, b in pairs_of(found[2])[0]}, pairs)

@@ -1,23 +1,24 @@
 #include "understanding/areas/find_basins.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 #include <utility>
 
 #include "kernel/image/blur.h"
 #include "kernel/image/distance_transform.h"
+#include "kernel/image/morphology.h"
 #include "kernel/image/watershed.h"
 #include "understanding/areas/basin_graph.h"
 #include "understanding/areas/cut_necks.h"
 #include "understanding/areas/propose_regions.h"
-#include "understanding/figure/figure_mask.h"
+#include "understanding/lines/colour_edges.h"
 #include "understanding/lines/line_gaps.h"
 #include "understanding/lines/line_map.h"
 #include "understanding/lines/stroke_ends.h"
-#include "understanding/paper/cast_shadow.h"
 #include "understanding/paper/lay_on_white.h"
-#include "understanding/paper/plain_background.h"
 #include "understanding/paper/pure_white.h"
-#include "understanding/paper/rulings.h"
+#include "understanding/perception/perceive.h"
 
 namespace relievo::understanding {
 namespace {
@@ -46,12 +47,26 @@ Image<int32_t> watershed(const LineMap& map, std::vector<Basin>& basins) {
   return std::move(found.label);
 }
 
+bool off(const char* name) {
+  const char* list = getenv("OFF");
+  return list && strstr(list, name);
+}
+
 void close_line_gaps(const Image8& rgb, LineMap& map) {
   const std::vector<StrokeEnd> ends = find_loose_ends(map);
   for (const LineGap& gap : find_open_roots(ends, map))
     close_gap(gap, LineMap::bridge, map.barrier);
   for (const LineGap& gap : find_broken_outlines(ends, map, rgb))
     close_gap(gap, LineMap::gap, map.barrier);
+}
+
+/// Sets what is perceived at every pixel.
+void look_up(const Perception& seen, int width, int height, Basins& basins) {
+  basins.front = seen.front;
+  basins.figure = at_pixels(seen.figure, seen.cell, width, height);
+  basins.contour = at_pixels(seen.contour, seen.cell, width, height);
+  basins.near_contour =
+      max_filter(basins.contour, std::max(1, static_cast<int>(std::lround(seen.cell))));
 }
 
 /// Reports progress. Returns false where the run was cancelled.
@@ -62,24 +77,22 @@ bool go_on(const RunContext& context, double done) {
 
 }  // namespace
 
-Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
+Result<Basins> find_basins(const Drawing& drawing, const Network& network,
+                           const RunContext& context) {
   if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
   if (!go_on(context, 0)) return interrupted_error();
-  const Image8 unruled = without_rulings(drawing.rgba);
-  const Image8& photo = unruled.empty() ? drawing.rgba : unruled;
-  const WithoutBackground figure = without_background(photo);
-  const Image8& drawn = figure.rgba.empty() ? photo : figure.rgba;
-  const bool on_pure_white = figure.is_cut || is_on_pure_white(drawn);
-  const Image8 shadowless = on_pure_white && !figure.is_cut ? without_cast_shadow(drawn) : Image8{};
-  const Image8& rgba = shadowless.empty() ? drawn : shadowless;
+  const auto seen = perceive(drawing.rgba, network);
+  if (!seen) return seen.error();
+  const Image8& rgba = drawing.rgba;
+  const bool on_pure_white = is_on_pure_white(rgba);
   const Image8 rgb = lay_on_white(rgba, on_pure_white);
   if (!go_on(context, 0.1)) return interrupted_error();
   LineMap map = find_lines(rgb, on_pure_white);
-  close_line_gaps(rgb, map);
+  if (!off("gaps")) close_line_gaps(rgb, map);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
-  basins.figure = find_figure(rgba, rgb, map, on_pure_white);
-  mark_rim(basins.figure, map);
+  add_alpha_edges(rgba, map);
+  look_up(*seen, rgba.width, rgba.height, basins);
   const std::vector<uint8_t>& barrier = map.barrier.pixels;
   if (std::all_of(barrier.begin(), barrier.end(), [](uint8_t b) { return b == LineMap::none; }))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
@@ -92,8 +105,8 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   basins.line_width = map.line_width;
   basins.painted = map.painted;
   measure_basins(rgba, rgb, basins);
-  propose_regions(rgb, basins);
-  if (cut_necks(basins)) measure_basins(rgba, rgb, basins);
+  propose_regions(basins);
+  if (!off("necks") && cut_necks(basins)) measure_basins(rgba, rgb, basins);
   context.report("find areas", 1);
   return basins;
 }

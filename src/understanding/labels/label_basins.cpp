@@ -101,8 +101,6 @@ Image<int32_t> label_pixels(const Basins& basins, const std::vector<int>& labels
     pixels.pixels[i] = labels[basins.index.pixels[i]];
   const auto parts = static_cast<int>(scribbles.parts.size());
   take_ink(basins, scribbles, marks, parts + basins.region_count, pixels);
-  const int last = *std::max_element(pixels.pixels.begin(), pixels.pixels.end());
-  keep_figure(basins, labels, std::max(last, parts + basins.region_count), pixels);
   if (scribbles.complete) give_to_scribbled(parts, pixels);
   return pixels;
 }
@@ -150,6 +148,7 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
     segmentation.labels.pixels[i] = number[of_pixel.pixels[i]];
   measure_parts(segmentation);
   segmentation.bridges = find_bridges(segmentation.labels, basins.barrier, basins.line_width);
+  segmentation.front = basins.front;
   add_notes(basins, scribbles, segmentation);
   return segmentation;
 }

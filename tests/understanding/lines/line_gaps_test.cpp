@@ -10,6 +10,7 @@
 #include "understanding/areas/find_basins.h"
 #include "understanding/labels/segment_drawing.h"
 #include "understanding/paper/lay_on_white.h"
+#include "understanding/perception/built_in_network.h"
 
 namespace relievo::understanding {
 namespace {
@@ -177,7 +178,7 @@ TEST(BrokenOutlines, AreBridgesOrOpenOnceTheBackgroundIsKnown) {
   ink.arc(middle, 150, 0.04, 0.96);
   ink.line({125, 250}, {220, 250});
   ink.line({280, 250}, {340, 250});
-  const Result<Basins> basins = find_basins(ink.drawing());
+  const Result<Basins> basins = find_basins(ink.drawing(), built_in_network());
   ASSERT_TRUE(basins.ok()) << to_string(basins.error());
   EXPECT_EQ(basins->barrier.at(250, 250), LineMap::none);
   const uint8_t* row = &basins->barrier.at(0, 250);

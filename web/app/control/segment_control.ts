@@ -42,7 +42,11 @@ class DrawingReader {
 
   private made: Engine | null = null;
 
-  constructor(private readonly editor: Editor, private readonly make: () => Engine) {}
+  constructor(
+    private readonly editor: Editor,
+    private readonly make: () => Engine,
+    private readonly network: () => Promise<Uint8Array>,
+  ) {}
 
   /** The worker. It starts on first use. */
   get engine(): Engine {
@@ -55,7 +59,7 @@ class DrawingReader {
     if (!drawing) throw new Error('no drawing');
     if (this.opened !== drawing) {
       this.opened = drawing;
-      this.opening = this.engine.openDrawing(this.flat(document, drawing));
+      this.opening = this.open(this.flat(document, drawing));
     }
     try {
       const opened = await this.opening;
@@ -65,6 +69,13 @@ class DrawingReader {
       this.opened = null;
       throw error;
     }
+  }
+
+  private async open(drawing: FlatDrawing): Promise<object | Failure> {
+    const network = await this.network().catch(() => null);
+    if (network) return await this.engine.openDrawing(drawing, network);
+    this.opened = null;
+    return { error: { code: 'file', message: 'a part of the editor could not be loaded; check the connection and try again', where: '' } };
   }
 
   private flat({ width, height }: Document, drawing: DrawingSource): FlatDrawing {

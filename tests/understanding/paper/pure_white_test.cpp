@@ -1,12 +1,12 @@
+#include "understanding/paper/pure_white.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "support/ink_drawing.h"
-#include "understanding/figure/figure_mask.h"
 #include "understanding/labels/segment_drawing.h"
-#include "understanding/paper/pure_white.h"
 
 namespace relievo::understanding {
 namespace {
