@@ -53,6 +53,16 @@ def fitted(parts, shape):
     return parts[rows][:, columns]
 
 
+def pieces(parts):
+    """Returns the map of the connected pieces of visible parts: a drawing does not show that two eyes,
+    or the ends of a belt on both sides of an arm, are one part."""
+    found = np.zeros(parts.shape, int)
+    for part in np.unique(parts[parts > 0]):
+        label, _ = ndimage.label(parts == part)
+        found = np.where(label > 0, label + found.max(), found)
+    return found
+
+
 def matches(true, found):
     """Returns {found part: true part} of parts that share half of their union, and both counts."""
     figure = (true > 0).sum()
@@ -136,7 +146,9 @@ def compare(true, found, pixel):
     """Returns the figures of merit of one picture. `true` and `found`: (map of visible parts, whole
     parts, scene). `pixel`: side of the picture's pixels in the true map."""
     parts, seen = true[0], fitted(found[0], true[0].shape)
-    pairs, wanted, got = matches(parts, seen)
+    pairs = matches(parts, seen)[0]
+    true_pieces, seen_pieces = pieces(parts), pieces(seen)
+    same, wanted, got = matches(true_pieces, seen_pieces)
     truth = ordered_pairs(true[2], true[1], visible_parts(true[1], true[1][0].shape), LEAST_OVERLAP)
     known = set(pairs.values())
     truth = {pair for pair in truth if set(pair) <= known}
@@ -149,8 +161,8 @@ def compare(true, found, pixel):
     union = ((parts > 0) | (seen > 0)).sum()
     return {
         "figure": ((parts > 0) & (seen > 0)).sum() / max(1, union),
-        "parts": f1(len(pairs), wanted, got),
-        "information": variation_of_information(parts, seen),
+        "parts": f1(len(same), wanted, got),
+        "information": variation_of_information(true_pieces, seen_pieces),
         "contours": contour_f1(parts, seen, pixel),
         "pairs": f1(len(in_pairs & truth), len(truth), len(in_pairs)),
         "joins": f1(len(in_joins & joins), len(joins), len(in_joins)),

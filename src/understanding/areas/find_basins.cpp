@@ -23,6 +23,8 @@
 namespace relievo::understanding {
 namespace {
 
+constexpr int least_contour = 100;         ///< probability, of 255, of contours that bound basins
+constexpr double contour_margin = 1.5;     ///< cells, distance up to which lines stand for contours
 constexpr double smallest_inradius = 1.5;  ///< px; narrower basins are gaps inside double strokes
 /// A peak has its own basin if it rises 1.5 px above the pass to a higher one and that is at most
 /// 0.9 times as high.
@@ -91,8 +93,9 @@ Result<Basins> find_basins(const Drawing& drawing, const Network& network,
   if (!off("gaps")) close_line_gaps(rgb, map);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
-  add_alpha_edges(rgba, map);
   look_up(*seen, rgba.width, rgba.height, basins);
+  add_contours(basins.contour, least_contour,
+               static_cast<int>(std::lround(contour_margin * seen->cell)), map);
   const std::vector<uint8_t>& barrier = map.barrier.pixels;
   if (std::all_of(barrier.begin(), barrier.end(), [](uint8_t b) { return b == LineMap::none; }))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};

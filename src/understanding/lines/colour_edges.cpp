@@ -5,7 +5,6 @@
 
 #include "kernel/image/blur.h"
 #include "kernel/image/components.h"
-#include "kernel/image/mask.h"
 #include "kernel/image/morphology.h"
 #include "understanding/lines/line_map.h"
 
@@ -15,7 +14,6 @@ namespace {
 constexpr int sure_gradient = 44;      ///< gradient that makes an edge, of 255 a channel over 2 px
 constexpr int possible_gradient = 22;  ///< gradient that continues an edge, likewise
 constexpr int flank_margin = 4;        ///< px around lines, whose own flanks are no edges
-constexpr int rim_margin = 2;          ///< px, distance up to which a barrier runs along the rim
 
 /// Computes by pixel the largest difference of a channel between two rows of `largest.size()`
 /// pixels. `channels` is working memory of three values a pixel and two more.
@@ -89,15 +87,12 @@ void add_colour_edges(const Image8& rgb, LineMap& map) {
   }
 }
 
-void add_alpha_edges(const Image8& rgba, LineMap& map) {
-  const Image8 opaque =
-      mask_where(rgba.width, rgba.height, [&](size_t i) { return rgba.pixels[4 * i + 3] >= 128; });
-  const Image8 core = min_filter(opaque, 1);
-  const Image8 near_barrier = max_filter(map.barrier, rim_margin);
-  for (size_t i = 0; i < core.pixels.size(); ++i) {
-    if (opaque.pixels[i] == core.pixels[i] || near_barrier.pixels[i] != 0) continue;
+void add_contours(const Image8& contour, int least, int margin, LineMap& map) {
+  const Image8 near_barrier = max_filter(map.barrier, margin);
+  for (size_t i = 0; i < contour.pixels.size(); ++i) {
+    if (contour.pixels[i] < least || near_barrier.pixels[i] != 0) continue;
     map.barrier.pixels[i] = LineMap::edge;
-    map.ink.pixels[i] = std::max<uint8_t>(map.ink.pixels[i], sure_gradient);
+    map.ink.pixels[i] = std::max(map.ink.pixels[i], contour.pixels[i]);
   }
 }
 

@@ -10,8 +10,8 @@ namespace relievo::understanding {
 /// `rgb` is the drawing on white; `map.barrier` holds its lines. O(pixels).
 void add_colour_edges(const Image8& rgb, LineMap& map);
 
-/// Adds to `map.barrier` the rim of the opaque areas of a drawing (4 channels) where no line or
-/// edge runs, since these may be as white as the page. O(pixels).
-void add_alpha_edges(const Image8& rgba, LineMap& map);
+/// Adds to `map.barrier` as edges the contours that are likelier than `least`, of 255, where no line
+/// or edge runs within `margin` px. `contour` has the probabilities, of 255, by pixel. O(pixels).
+void add_contours(const Image8& contour, int least, int margin, LineMap& map);
 
 }  // namespace relievo::understanding
