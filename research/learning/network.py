@@ -28,6 +28,7 @@ SIDE = 512
 CHANNELS = (8, 16, 32, 48, 80)
 BATCH = 8
 FASTEST = 3e-3  # learning rate
+GOING_ON = 1e-3  # the same where training goes on
 # Sides of the pictures in training, from the share of the steps on.
 SIDES = ((0, 256), (0.35, 384), (0.75, SIDE))
 
@@ -223,13 +224,13 @@ def loss_of(seen, parts, level):
     return torch.stack([2 * figure, 2 * contour, 0.5 * front])
 
 
-def train(network, examples, steps, report=200):
-    optimizer = torch.optim.AdamW(network.parameters(), lr=FASTEST, weight_decay=1e-4)
+def train(network, examples, steps, fastest, state, report=200):
+    optimizer = torch.optim.AdamW(network.parameters(), lr=fastest, weight_decay=1e-4)
     network.to(memory_format=torch.channels_last).train()
     mean = torch.zeros(3)
     for step in range(steps):
         done = step / steps
-        rate = FASTEST * min(1, (step + 1) / 200) * (0.5 + 0.5 * math.cos(math.pi * done)) + 2e-5
+        rate = fastest * min(1, (step + 1) / 200) * (0.5 + 0.5 * math.cos(math.pi * done)) + 2e-5
         for group in optimizer.param_groups:
             group["lr"] = rate
         side = next(side for share, side in reversed(SIDES) if done >= share)
@@ -242,6 +243,7 @@ def train(network, examples, steps, report=200):
         if step % report == report - 1:
             print(step + 1, *(f"{value:.4f}" for value in mean), flush=True)
             mean.zero_()
+            torch.save(network.state_dict(), state)
 
 
 def main():
@@ -257,7 +259,7 @@ def main():
     state = given.folder / "network.pt"
     if given.go_on:
         network.load_state_dict(torch.load(state))
-    train(network, Examples(given.folder), given.steps)
+    train(network, Examples(given.folder), given.steps, GOING_ON if given.go_on else FASTEST, state)
     network.eval()
     torch.save(network.state_dict(), state)
     write_weights(network, given.weights)

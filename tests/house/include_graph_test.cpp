@@ -33,10 +33,13 @@ TEST(IncludeGraph, IsTheDataFlow) {
 
 TEST(IncludeGraph, NamesFilesByTheirFullPath) {
   const fs::path root = RELIEVO_SOURCE_DIR;
+  // The build makes it from network.bin.
+  const std::string made = "understanding/perception/network_bytes.inc";
   for (const SourceFile& file : source_files())
     for (const std::string& target : includes(file.text))
-      EXPECT_TRUE(fs::exists(root / "src" / target) || fs::exists(root / "include" / target) ||
-                  fs::exists(root / target) || fs::exists(root / "tests" / target))
+      EXPECT_TRUE(target == made || fs::exists(root / "src" / target) ||
+                  fs::exists(root / "include" / target) || fs::exists(root / target) ||
+                  fs::exists(root / "tests" / target))
           << file.path << " includes " << target;
 }
 
@@ -109,7 +112,7 @@ TEST(IncludeRules, CatchViolations) {
       {"relief/surface/assemble_model.cpp", "relief/nonlinear/solve_nonlinear.h"},
       {"relief/ordering/order_depth.cpp", "relief/session/build_relief.h"},
       {"scene/validate.cpp", "io/scene/scene_json.h"},
-      {"understanding/paper/lay_on_white.cpp", "understanding/lines/line_map.h"},
+      {"understanding/lines/line_map.cpp", "understanding/paper/lay_on_white.h"},
       {"understanding/scene/propose_scene.cpp", "relief/layers/layered_mesh.h"},
       {"relief/layers/layer_parts.cpp", "understanding/labels/segmentation.h"},
       {"kernel/cholesky/supernodes.cpp", "kernel/solvers/active_set.h"},

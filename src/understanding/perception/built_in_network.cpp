@@ -8,7 +8,7 @@ namespace relievo::understanding {
 namespace {
 
 constexpr auto file = std::to_array<uint8_t>({
-#include "network_bytes.inc"
+#include "understanding/perception/network_bytes.inc"
 });
 
 Network decoded() {

@@ -46,7 +46,7 @@ class Reader {
 
 int rounded_up(int value, int unit) { return (value + unit - 1) / unit * unit; }
 
-bool is_valid(const Convolution& layer) {
+bool is_valid(const NetworkLayer& layer) {
   const auto within = [](int value, int most) { return value >= 1 && value <= most; };
   return within(layer.inputs, most_channels) && within(layer.outputs, most_channels) &&
          within(layer.side, widest_side) && layer.side % 2 == 1 && within(layer.stride, 2) &&
@@ -54,7 +54,7 @@ bool is_valid(const Convolution& layer) {
 }
 
 /// Reads a layer; false where it is damaged.
-bool read_layer(Reader& reader, Convolution& layer) {
+bool read_layer(Reader& reader, NetworkLayer& layer) {
   for (int* value : {&layer.inputs, &layer.outputs, &layer.side, &layer.stride, &layer.dilation})
     *value = static_cast<int>(reader.number(2));
   layer.clamped = reader.number(2) != 0;
@@ -100,7 +100,7 @@ inline void add_tap(const float* in, ptrdiff_t step, int inputs, const float* we
 }
 
 /// Computes the block `b` of outputs along a row.
-void convolve_row(const ImageF& padded, const Convolution& layer, int y, int b, ImageF& result) {
+void convolve_row(const ImageF& padded, const NetworkLayer& layer, int y, int b, ImageF& result) {
   const int channels = layer.inputs;
   const size_t per_tap = static_cast<size_t>(channels) * block;
   const float* weights = &layer.weights[per_tap * layer.side * layer.side * b];
@@ -131,13 +131,13 @@ Result<Network> decode_network(ByteView bytes) {
   const uint32_t layers = reader.number(4);
   if (layers > most_layers) return damaged;
   Network network(layers);
-  for (Convolution& layer : network)
+  for (NetworkLayer& layer : network)
     if (!read_layer(reader, layer)) return damaged;
   if (!reader.at_end()) return damaged;
   return network;
 }
 
-ImageF convolve(const ImageF& image, const Convolution& layer) {
+ImageF convolve(const ImageF& image, const NetworkLayer& layer) {
   const int reach = layer.dilation * (layer.side / 2);
   const ImageF padded = with_border(image, reach, strip * layer.stride);
   ImageF result((image.width + layer.stride - 1) / layer.stride,

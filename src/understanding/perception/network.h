@@ -11,7 +11,7 @@ namespace relievo::understanding {
 /// A layer of a convolutional network,
 ///   y_o(p) = b_o + sum over taps t and channels i of w_oti x_i(stride p + dilation t),
 /// clamped to [0, 6] afterwards, except the last layer of a network. x is 0 outside the image.
-struct Convolution {
+struct NetworkLayer {
   int inputs = 0;
   int outputs = 0;
   int side = 1;  ///< taps along x and along y, odd
@@ -23,7 +23,7 @@ struct Convolution {
 };
 
 /// The layers of a network, in the order in which they are applied.
-using Network = std::vector<Convolution>;
+using Network = std::vector<NetworkLayer>;
 
 /// Decodes a network. Its file holds little-endian numbers: the bytes "RLVN", the number of layers
 /// (32 bits), and for each layer its inputs, outputs, side, stride, dilation and whether it is
@@ -35,6 +35,6 @@ Result<Network> decode_network(ByteView bytes);
 /// Applies a layer. Precondition: `image` has as many channels as the layer has inputs. The result
 /// has ceil(width / stride) x ceil(height / stride) px. Every sum is taken in one order, so that
 /// all machines compute the same bits. O(pixels * weights).
-ImageF convolve(const ImageF& image, const Convolution& layer);
+ImageF convolve(const ImageF& image, const NetworkLayer& layer);
 
 }  // namespace relievo::understanding

@@ -72,7 +72,7 @@ ImageF joined(const ImageF& a, const ImageF& b) {
 }
 
 /// Adds to every pixel a layer's value of the mean over the image.
-ImageF with_context(ImageF image, const Convolution& layer) {
+ImageF with_context(ImageF image, const NetworkLayer& layer) {
   ImageF mean(1, 1, image.channels);
   for (size_t i = 0; i < image.pixels.size(); ++i)
     mean.pixels[i % image.channels] += image.pixels[i];

@@ -150,14 +150,20 @@ TEST(JoinParts, WhatNothingHoldsGrowsOutFromBehind) {
   EXPECT_EQ(kinds_at_knee(apart), (std::vector<RelationKind>{RelationKind::above}));
 }
 
-/// A box lies in front of another with all of its border inside the outline of both.
+/// A thigh lies in front of a lower leg, with which it is not joined.
 TEST(JoinParts, APartRisesOnlyWhereTheOrderIsSure) {
-  const Drawing boxes{220, 200, {box(20, 20, 40, 180), box(40, 20, 200, 180)}};
-  const auto kind = [&](double sure) {
-    return join(boxes, {}, {}, sure).relations.at(0).relation.kind;
+  const Drawing leg{
+      220, 360, {box(98, 150, 122, 340), box(10, 10, 210, 100), box(90, 60, 130, 155)}};
+  Corrections apart;
+  apart.no_joins = {{3, 1}};
+  const auto kind_at_knee = [&](double sure) {
+    for (const ProposedRelation& proposed : join(leg, apart, {}, sure).relations)
+      if (proposed.relation.upper == 2 && proposed.relation.lower == 0)
+        return proposed.relation.kind;
+    return RelationKind::free;
   };
-  EXPECT_EQ(kind(1), RelationKind::above);
-  EXPECT_EQ(kind(0.1), RelationKind::equal);
+  EXPECT_EQ(kind_at_knee(1), RelationKind::above);
+  EXPECT_EQ(kind_at_knee(0.1), RelationKind::equal);
 }
 
 TEST(JoinParts, TheUserIsNotOverruled) {

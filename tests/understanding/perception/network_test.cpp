@@ -69,7 +69,7 @@ ImageF random_image(int width, int height, int channels, std::mt19937& random) {
   return image;
 }
 
-/// Evaluates the equation of Convolution at one pixel and output.
+/// Evaluates the equation of NetworkLayer at one pixel and output.
 double value_at(const ImageF& image, const LayerFile& layer, int x, int y, int o) {
   double sum = layer.bias[o];
   const int half = layer.side / 2;
