@@ -76,7 +76,7 @@ ImageF with_context(ImageF image, const NetworkLayer& layer) {
   ImageF mean(1, 1, image.channels);
   for (size_t i = 0; i < image.pixels.size(); ++i)
     mean.pixels[i % image.channels] += image.pixels[i];
-  const auto count = static_cast<float>(image.pixels.size() / image.channels);
+  const auto count = static_cast<float>(image.width) * static_cast<float>(image.height);
   for (float& value : mean.pixels) value /= count;
   const ImageF added = convolve(mean, layer);
   for (size_t i = 0; i < image.pixels.size(); ++i)
