@@ -84,7 +84,7 @@ ImageF with_context(ImageF image, const NetworkLayer& layer) {
   return image;
 }
 
-/// Returns whether the layers have the channels that `apply` needs.
+/// Returns whether the layers have the channels that `apply_layers` needs.
 bool fits(const Network& network) {
   if (network.size() != layer_count) return false;
   const auto outputs = [&](size_t k) { return network[k].outputs; };
@@ -103,7 +103,7 @@ bool fits(const Network& network) {
 /// Applies a network of the form of a U: `levels` times two layers, the first of which halves the
 /// resolution; the context of the whole image; and back up, where each level is joined with the one
 /// of its size.
-ImageF apply(const Network& network, const ImageF& image) {
+ImageF apply_layers(const Network& network, const ImageF& image) {
   std::array<ImageF, levels> down;
   for (size_t level = 0; level < levels; ++level)
     down[level] = convolve(convolve(level == 0 ? image : down[level - 1], network[2 * level]),
@@ -145,7 +145,7 @@ Result<Perception> perceive(const Image8& rgba, const Network& network) {
   const int h = scaled_to(rgba.height);
   const ImageF input = scale < 1 ? scaled(rgba, w, h) : repeated(rgba, w, h);
   const auto whole = [](int length) { return (length + unit - 1) / unit * unit; };
-  const ImageF seen = apply(network, extended(input, whole(w), whole(h)));
+  const ImageF seen = apply_layers(network, extended(input, whole(w), whole(h)));
   Perception result;
   const int cells_x = (w + 1) / 2;
   const int cells_y = (h + 1) / 2;
