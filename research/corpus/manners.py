@@ -114,6 +114,12 @@ def inked(figure, share, rng, wobble=0.0, ground=None):
     return over(white(figure) if ground is None else ground, INK, cover)
 
 
+def outlined(figure, ground, rng):
+    """Draws a usual pen's outlines on a ground, with the parts that hold their line."""
+    parts = with_line(figure.parts, pen_of(figure, 0.005))
+    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+
+
 def line_of(share):
     def line(figure, rng):
         figure = with_margin(figure)
@@ -158,8 +164,7 @@ def hatched(figure, rng):
     phase = (columns + 0.7 * rows + 0.15 * pitch * noise(rows.shape, 12, rng)) % pitch
     cover = np.clip(0.0018 * figure.size + 0.5 - np.abs(phase - pitch / 2), 0, 1) * dark
     ground = over(white(figure), INK, 0.9 * cover)
-    parts = with_line(figure.parts, pen_of(figure, 0.005))
-    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+    return outlined(figure, ground, rng)
 
 
 def crayon(figure, rng):
@@ -192,8 +197,7 @@ def ruled(figure, rng):
     pitch = rng.uniform(0.03, 0.05) * figure.size
     rule = np.clip(1.2 - np.abs(rows % pitch - pitch / 2), 0, 1) * 0.6
     ground = over(white(figure), np.array([150, 180, 225.0]), rule)
-    parts = with_line(figure.parts, pen_of(figure, 0.005))
-    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+    return outlined(figure, ground, rng)
 
 
 def warped(values, corners, order):
@@ -213,15 +217,20 @@ def warped(values, corners, order):
     return moved[0] if values.ndim == 2 else np.dstack(moved)
 
 
+def far_from_lamp(shape, rng):
+    """Returns the distances of pixels, per longer side, from a place at random."""
+    rows, columns = np.indices(shape) / max(shape)
+    at = rng.uniform(0.2, 0.8, 2)
+    return np.hypot(rows - at[0], columns - at[1])
+
+
 def photograph(figure, rng):
     """Photographs a crayon drawing: in perspective, under a lamp, with noise, as JPEG."""
     picture, parts = crayon(figure, rng)
     corners = rng.uniform(-0.03, 0.03, (4, 2))
     seen = warped(picture.astype(float), corners, 1)
     parts = warped(parts, corners, 0)
-    rows, columns = np.indices(parts.shape) / max(parts.shape)
-    at = rng.uniform(0.2, 0.8, 2)
-    lamp = 1.05 - 0.45 * np.hypot(rows - at[0], columns - at[1])
+    lamp = 1.05 - 0.45 * far_from_lamp(parts.shape, rng)
     seen = seen * lamp[..., None] * [1.0, 0.97, 0.9] + rng.normal(0, 2.5, seen.shape)
     return as_jpeg(as_picture(seen), 80), parts
 
@@ -288,8 +297,7 @@ def marked(figure, rng):
     cover = stroke_image(figure.parts.shape, starts, lengths, angles, 0.004 * figure.size)
     inside = ndimage.binary_erosion(figure.parts > 0, iterations=4)
     ground = over(white(figure), INK, cover * inside)
-    parts = with_line(figure.parts, pen_of(figure, 0.005))
-    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+    return outlined(figure, ground, rng)
 
 
 def blotches(shape, size, share, rng):
@@ -321,8 +329,7 @@ def patches(figure, rng):
     edges = borders(pattern_of(figure, rng).astype(int)) & (figure.parts > 0)
     cover = strokes(edges, pen_of(figure, 0.004), 0, rng)
     ground = over(white(figure), INK, cover)
-    parts = with_line(figure.parts, pen_of(figure, 0.005))
-    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+    return outlined(figure, ground, rng)
 
 
 def meadow(figure, rng):
@@ -344,9 +351,8 @@ def meadow(figure, rng):
     lengths = figure.size * rng.uniform(0.01, 0.04, len(grass))
     angles = -np.pi / 2 + rng.normal(0, 0.3, len(grass))
     cover = np.maximum(np.asarray(drawn) / 255.0, stroke_image(shape, grass, lengths, angles, 0.7 * width))
-    parts = with_line(figure.parts, pen_of(figure, 0.005))
-    ground = over(white(figure), INK, cover * (parts == 0))
-    return as_picture(inked(figure, 0.005, rng, 0.001, ground)), parts
+    outside = with_line(figure.parts, pen_of(figure, 0.005)) == 0
+    return outlined(figure, over(white(figure), INK, cover * outside), rng)
 
 
 def shadow(figure, rng):
@@ -379,9 +385,8 @@ def page(figure, rng):
     seen = np.where(paper[..., None] > 0, picture, table)
     corners = rng.uniform(-0.04, 0.04, (4, 2))
     seen, parts = warped(seen, corners, 1), warped(parts, corners, 0)
-    rows, columns = np.indices(parts.shape) / max(parts.shape)
-    at = rng.uniform(0.2, 0.8, 2)
-    lamp = 1.0 - rng.uniform(0.1, 0.4) * np.hypot(rows - at[0], columns - at[1])
+    far = far_from_lamp(parts.shape, rng)
+    lamp = 1.0 - rng.uniform(0.1, 0.4) * far
     return as_jpeg(as_picture(seen * lamp[..., None] + rng.normal(0, 2, seen.shape)), 85), parts
 
 

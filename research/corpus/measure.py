@@ -1,5 +1,6 @@
 """Measures what was understood of a flat picture against what is known of its figure."""
 
+import manners
 import numpy as np
 from PIL import Image, ImageChops, ImageDraw
 from scipy import ndimage
@@ -95,16 +96,9 @@ def variation_of_information(true, found):
     return 2 * -(share * np.log2(share)).sum() - sum(entropies)
 
 
-def contours(parts):
-    edges = np.zeros(parts.shape, bool)
-    edges[:-1] |= np.diff(parts, axis=0) != 0
-    edges[:, :-1] |= np.diff(parts, axis=1) != 0
-    return edges
-
-
 def contour_f1(true, found, pixel):
     reach = max(1.5, CONTOUR_REACH * max(true.shape), pixel)
-    edges = [contours(true), contours(found)]
+    edges = [manners.borders(true), manners.borders(found)]
     far = [ndimage.distance_transform_edt(~one) for one in edges]
     hit = [(far[1 - k][edges[k]] <= reach).mean() if edges[k].any() else 0.0 for k in range(2)]
     return 2 * hit[0] * hit[1] / (hit[0] + hit[1]) if sum(hit) else 0.0

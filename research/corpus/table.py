@@ -28,6 +28,14 @@ MEASURES = ("figure", "parts", "information", "contours", "pairs", "joins")
 LEAST = {"figure": 0.9, "parts": 0.6, "contours": 0.65}
 
 
+def figures_of(corpus, split, most=0):
+    """Returns the rows of a split in an order that has nothing to do with their artists."""
+    with (corpus / "figures.tsv").open() as file:
+        rows = [row for row in csv.DictReader(file, delimiter="\t") if row["split"] == split]
+    rows.sort(key=lambda row: sources.number_of("order " + row["id"]))
+    return rows[: most or None]
+
+
 def keep_memory():
     """Lets the C library keep freed memory for the next images, here and in processes that are started
     from here. Half of the time goes into giving it back otherwise."""
@@ -128,10 +136,7 @@ def main():
     words.add_argument("--rows", type=pathlib.Path, help="file for all results (.tsv)")
     given = words.parse_args()
     keep_memory()
-    with (given.corpus / "figures.tsv").open() as table:
-        figures = [row for row in csv.DictReader(table, delimiter="\t") if row["split"] == given.split]
-    figures = sorted(figures, key=lambda row: sources.number_of("order " + row["id"]))
-    figures = figures[: given.most or None]
+    figures = figures_of(given.corpus, given.split, given.most)
     with concurrent.futures.ProcessPoolExecutor(given.jobs) as pool:
         work = [pool.submit(results_of, given.program, given.corpus, row, given.each) for row in figures]
         results = [one for done in work for one in done.result()]

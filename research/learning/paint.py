@@ -9,7 +9,6 @@ no scene; each part is in front of all that come before it.
 
 import argparse
 import concurrent.futures
-import csv
 import pathlib
 import shutil
 import sys
@@ -22,14 +21,6 @@ import manners
 import shapes
 import sources
 import table
-
-
-def figures_of(corpus, split, most=0):
-    """Returns the rows of a split in an order that has nothing to do with their artists."""
-    with (corpus / "figures.tsv").open() as file:
-        rows = [row for row in csv.DictReader(file, delimiter="\t") if row["split"] == split]
-    rows.sort(key=lambda row: sources.number_of("order " + row["id"]))
-    return rows[: most or None]
 
 
 def paint(folder, one, figure, each):
@@ -73,7 +64,7 @@ def main():
     with concurrent.futures.ProcessPoolExecutor(given.jobs) as pool:
         work = [
             pool.submit(paint_drawing, given.corpus, given.folder, row["id"], given.each, given.side)
-            for row in figures_of(given.corpus, given.split, given.most)
+            for row in table.figures_of(given.corpus, given.split, given.most)
         ]
         work += [
             pool.submit(paint_shapes, given.folder, number, given.each, given.side)

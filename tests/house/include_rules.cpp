@@ -58,7 +58,7 @@ const NameSet stage_verbs = {
 const NameSet united_rooms = {"inflation", "ordering"};
 
 /// The rooms that programs and bindings use as a whole, and headers of others that they use.
-const NameSet open_rooms = {"perception", "labels", "marks", "scene", "session", "finish", "maps"};
+const NameSet open_rooms = {"labels", "marks", "scene", "session", "finish", "maps"};
 const NameSet open_headers = {"areas/basins.h", "areas/find_basins.h", "joins/join_proposals.h"};
 
 struct Place {
@@ -151,10 +151,9 @@ std::string check_apps(const Place& from, const Place& to) {
 }
 
 /// Checks research: rival methods are made of the same stages as ours; its programs use the parts
-/// of the command line. What is learned is measured inside the understanding.
+/// of the command line.
 std::string check_research(const Place& from, const Place& to) {
   if (to.top == "seams") return "";
-  if (from.folder == "learning" && to.top == "understanding") return "";
   if (from.folder != "rivals") return to.top == "apps" ? "" : check_apps(from, to);
   if (to.top == "io" || to.top == "solid" || to.top == "api" || to.folder == "compare")
     return "rivals use the kernel, the stages, the renderer and themselves only";

@@ -4,8 +4,8 @@
 
 namespace relievo::understanding {
 
-/// Returns the network that research/learning/network.py trained. Its weights are compiled in; the
-/// editor, which loads them with the first flat drawing, does not use this.
+/// Returns the network that research/learning/network.py trained. Its weights are
+/// compiled in.
 const Network& built_in_network();
 
 }  // namespace relievo::understanding

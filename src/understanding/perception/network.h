@@ -10,7 +10,7 @@ namespace relievo::understanding {
 
 /// A layer of a convolutional network,
 ///   y_o(p) = b_o + sum over taps t and channels i of w_oti x_i(stride p + dilation t),
-/// clamped to [0, 6] afterwards, except the last layer of a network. x is 0 outside the image.
+/// clamped to [0, 6] afterwards where `clamped`. x is 0 outside the image.
 struct NetworkLayer {
   int inputs = 0;
   int outputs = 0;

@@ -20,33 +20,35 @@ constexpr size_t deepest = 2 * levels;
 constexpr size_t context = deepest + 1;
 constexpr size_t layer_count = context + 2 * levels;
 
-/// Averages the pixels of a picture on white, with their alpha, over the cells of a grid.
-ImageF scaled(const Image8& rgba, int width, int height) {
-  ImageF sums(width, height, 4);
-  std::vector<float> weights(static_cast<size_t>(width) * height, 0);
-  for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < rgba.width; ++x) {
-      const auto u = static_cast<int>(int64_t{x} * width / rgba.width);
-      const auto v = static_cast<int>(int64_t{y} * height / rgba.height);
-      const float alpha = static_cast<float>(rgba.at(x, y, 3)) / 255;
-      for (int c = 0; c < 3; ++c)
-        sums.at(u, v, c) += alpha * static_cast<float>(rgba.at(x, y, c)) / 255 + (1 - alpha);
-      sums.at(u, v, 3) += alpha;
-      weights[static_cast<size_t>(v) * width + u] += 1;
-    }
-  for (size_t i = 0; i < weights.size(); ++i)
-    for (size_t c = 0; c < 4; ++c) sums.pixels[4 * i + c] /= std::max(1.0F, weights[i]);
-  return sums;
+/// Returns the first pixel that cell `k` of `cells` covers, and the one after its last: all that
+/// begin in it, or where cells are smaller than pixels the one that it lies in.
+std::pair<int, int> pixels_of(int k, int cells, int pixels) {
+  if (cells >= pixels) return {k * pixels / cells, k * pixels / cells + 1};
+  const auto first = [&](int64_t cell) {
+    return static_cast<int>((cell * pixels + cells - 1) / cells);
+  };
+  return {first(k), first(k + 1)};
 }
 
-/// Repeats the pixels of a small picture.
-ImageF repeated(const Image8& rgba, int width, int height) {
-  Image8 large(width, height, 4);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (int c = 0; c < 4; ++c)
-        large.at(x, y, c) = rgba.at(x * rgba.width / width, y * rgba.height / height, c);
-  return scaled(large, width, height);
+/// Averages the pixels of a picture on white, with their alpha, over the cells of a grid.
+ImageF scaled(const Image8& rgba, int width, int height) {
+  ImageF means(width, height, 4);
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
+      const auto [x0, x1] = pixels_of(u, width, rgba.width);
+      const auto [y0, y1] = pixels_of(v, height, rgba.height);
+      float* mean = &means.at(u, v);
+      for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) {
+          const float alpha = static_cast<float>(rgba.at(x, y, 3)) / 255;
+          for (int c = 0; c < 3; ++c)
+            mean[c] += alpha * static_cast<float>(rgba.at(x, y, c)) / 255 + (1 - alpha);
+          mean[3] += alpha;
+        }
+      const auto count = static_cast<float>((x1 - x0) * (y1 - y0));
+      for (int c = 0; c < 4; ++c) mean[c] /= count;
+    }
+  return means;
 }
 
 /// Extends an image to the right and below by its last pixels.
@@ -143,9 +145,8 @@ Result<Perception> perceive(const Image8& rgba, const Network& network) {
   };
   const int w = scaled_to(rgba.width);
   const int h = scaled_to(rgba.height);
-  const ImageF input = scale < 1 ? scaled(rgba, w, h) : repeated(rgba, w, h);
   const auto whole = [](int length) { return (length + unit - 1) / unit * unit; };
-  const ImageF seen = apply_layers(network, extended(input, whole(w), whole(h)));
+  const ImageF seen = apply_layers(network, extended(scaled(rgba, w, h), whole(w), whole(h)));
   Perception result;
   const int cells_x = (w + 1) / 2;
   const int cells_y = (h + 1) / 2;

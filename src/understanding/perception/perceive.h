@@ -11,7 +11,7 @@ struct FrontMap {
   double cell = 1;  ///< px
 };
 
-/// What a network sees in a picture: maps of cells, each of which covers `cell` px a side.
+/// Maps of what a network sees in a picture, by cells of `cell` px a side.
 struct Perception {
   Image8 figure;   ///< probability that a cell belongs to the figure, of 255
   Image8 contour;  ///< probability that a contour of a visible part runs through a cell, of 255
@@ -21,7 +21,8 @@ struct Perception {
 
 /// Applies a network to a picture (RGBA), which is laid on white and reduced or enlarged so that
 /// its longer side has 512 px. Its layers are those that research/learning/network.py trains.
-/// Error: `bad_input` where the network has other layers. O(pixels).
+/// Error: `bad_input` where the network has other layers. Precondition: the picture is not empty.
+/// O(pixels).
 Result<Perception> perceive(const Image8& rgba, const Network& network);
 
 /// Interpolates a map of cells at the centres of the pixels of a picture of the given size.

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 
+#include "io/files/byte_writer.h"
 #include "understanding/perception/perceive.h"
 
 namespace relievo::understanding {
@@ -38,25 +38,15 @@ LayerFile random_layer(int inputs, int outputs, int side, int stride, int dilati
   return layer;
 }
 
-void append(Bytes& bytes, uint32_t value, int size) {
-  for (int k = 0; k < size; ++k) bytes.push_back(static_cast<uint8_t>(value >> (8 * k)));
-}
-
-void append(Bytes& bytes, float value) {
-  uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  append(bytes, bits, 4);
-}
-
 Bytes encode(const std::vector<LayerFile>& layers) {
   Bytes bytes = {'R', 'L', 'V', 'N'};
-  append(bytes, static_cast<uint32_t>(layers.size()), 4);
+  append_u32(bytes, static_cast<uint32_t>(layers.size()));
   for (const LayerFile& layer : layers) {
     for (const int value : {layer.inputs, layer.outputs, layer.side, layer.stride, layer.dilation,
                             layer.clamped ? 1 : 0})
-      append(bytes, static_cast<uint32_t>(value), 2);
-    for (const float scale : layer.scales) append(bytes, scale);
-    for (const float bias : layer.bias) append(bytes, bias);
+      append_u16(bytes, static_cast<uint16_t>(value));
+    for (const float scale : layer.scales) append_f32(bytes, scale);
+    for (const float bias : layer.bias) append_f32(bytes, bias);
     for (const int8_t weight : layer.weights) bytes.push_back(static_cast<uint8_t>(weight));
   }
   return bytes;
