@@ -1,7 +1,8 @@
 #!/bin/sh
 # Builds the program and the editor and runs their tests. With --all also the tests under the address
 # and undefined-behaviour sanitizers, the long surveys, the linter, the pages of the interface, a
-# program built against the installed package and, as root, a batch on a Slurm cluster of this machine.
+# program built against the installed package, a tenth of the learning from layered drawings and, as
+# root, a batch on a Slurm cluster of this machine.
 set -eu
 cd "$(dirname "$0")"
 # Comparisons with slow reference solvers, many scenes, solids and kills, a slicer, Blender.
@@ -61,6 +62,7 @@ wait "$compiling" || { cat "$build/tests.log" >&2; exit 1; }
 trap - EXIT
 (cd web && npm run --silent measured)
 
+[ -z "$all" ] || scripts/learn.sh build/learning 0.1
 if [ "$all" ] && [ "$(id -u)" -eq 0 ]; then
   tests/cluster/slurm.sh "$RELIEVO"
 fi

@@ -4,7 +4,7 @@
 FOLDER holds pictures of paint.py. The network sees a picture on white with its alpha, and tells for
 each cell of 2 x 2 pixels the log-odds that it belongs to the figure and that a contour of a visible
 part runs through it, and the way across that contour to the part in front. WEIGHTS is the file that
-the core decodes (see perception/network.h), FOLDER/network.pt what training can go on from.
+the core decodes (see perception/network.h). It is written from time to time; training can go on from it.
 """
 
 import argparse
@@ -29,6 +29,7 @@ CHANNELS = (8, 16, 32, 48, 80)
 BATCH = 8
 FASTEST = 3e-3  # learning rate
 GOING_ON = 1e-3  # the same where training goes on
+SAVED = 1000  # steps after which the weights are written
 # Sides of the pictures in training, from the share of the steps on.
 SIDES = ((0, 256), (0.35, 384), (0.75, SIDE))
 
@@ -67,11 +68,14 @@ class Network(nn.Module):
             image = merge(torch.cat([levels.pop(), raised], 1))
         return self.head(image)
 
+    def blocks(self):
+        """Returns the layers in the order of the file."""
+        blocks = [block for down in self.down for block in down] + [self.deepest, self.context]
+        return blocks + [block for pair in zip(self.up, self.merge) for block in pair] + [self.head]
+
     def convolutions(self):
         """Yields the layers in the order of the file: weights, biases, and whether they are clamped."""
-        blocks = [block for down in self.down for block in down] + [self.deepest, self.context]
-        blocks += [block for pair in zip(self.up, self.merge) for block in pair] + [self.head]
-        for block in blocks:
+        for block in self.blocks():
             if isinstance(block, nn.Conv2d):
                 yield block, block.weight, block.bias, False
             else:
@@ -96,6 +100,42 @@ def write_weights(network, file):
     file.write_bytes(data)
 
 
+def read_weights(network, file, pictures):
+    """Reads a file of write_weights. Each layer is normalised by the mean and variance of its outputs for
+    some pictures, which changes nothing but how training goes on."""
+    data, at = file.read_bytes(), 8
+
+    def values(kind, *shape):
+        nonlocal at
+        array = np.frombuffer(data, kind, math.prod(shape), at).reshape(shape)
+        at += array.nbytes
+        return torch.from_numpy(array.astype(np.float32))
+
+    def normalise(norm, outputs):
+        norm.running_mean, norm.running_var = outputs.mean((0, 2, 3)), outputs.var((0, 2, 3))
+        norm.bias += norm.running_mean
+        norm.weight.copy_(torch.sqrt(norm.running_var + norm.eps))
+
+    with torch.no_grad():
+        handles = []
+        for block in network.blocks():
+            inputs, outputs, side, *_ = (int(size) for size in values("<u2", 6))
+            scales, biases = values("<f4", outputs), values("<f4", outputs)
+            weights = values(np.int8, outputs, side, side, inputs) * scales[:, None, None, None]
+            convolution, biased = (block, block) if isinstance(block, nn.Conv2d) else block[:2]
+            convolution.weight.copy_(weights.permute(0, 3, 1, 2))
+            biased.bias.copy_(biases)
+            if biased is not block:
+                handles.append(
+                    convolution.register_forward_hook(
+                        lambda _, __, outputs, norm=biased: normalise(norm, outputs)
+                    )
+                )
+        network.eval()(pictures)
+        for handle in handles:
+            handle.remove()
+
+
 def in_square(image, side, mode):
     """Returns an image in the middle of a square."""
     pad = [(0, 0)] * image.ndim
@@ -111,7 +151,7 @@ def example_of(file):
     parts = np.asarray(Image.open(file.with_suffix(".parts.png")))
     scale = SIDE / max(picture.size)
     size = [max(8, round(scale * length)) for length in picture.size]
-    picture = picture.resize(size, Image.Resampling.NEAREST if scale > 2 else Image.Resampling.BOX)
+    picture = picture.resize(size, Image.Resampling.BILINEAR)
     parts = measure.fitted(parts, (size[1] // 2, size[0] // 2))
     return in_square(np.asarray(picture), SIDE, "edge"), in_square(parts, SIDE // 2, "constant")
 
@@ -159,7 +199,7 @@ class Examples:
 def placements(rng):
     """Returns random mirrorings, rotations, scalings and shifts."""
     angle = rng.uniform(-0.2, 0.2, BATCH) * (rng.random(BATCH) < 0.5)
-    scale = np.exp(rng.uniform(-0.25, 0.3, BATCH))
+    scale = np.exp(rng.uniform(-0.45, 0.45, BATCH))
     mirror = np.where(rng.random(BATCH) < 0.5, -1, 1)
     turn = np.zeros((BATCH, 2, 3), np.float32)
     turn[:, 0, 0], turn[:, 0, 1] = mirror * scale * np.cos(angle), -scale * np.sin(angle)
@@ -224,7 +264,7 @@ def loss_of(seen, parts, level):
     return torch.stack([2 * figure, 2 * contour, 0.5 * front])
 
 
-def train(network, examples, steps, fastest, state, report=200):
+def train(network, examples, steps, fastest, file, report=200):
     optimizer = torch.optim.AdamW(network.parameters(), lr=fastest, weight_decay=1e-4)
     network.to(memory_format=torch.channels_last).train()
     mean = torch.zeros(3)
@@ -243,7 +283,9 @@ def train(network, examples, steps, fastest, state, report=200):
         if step % report == report - 1:
             print(step + 1, *(f"{value:.4f}" for value in mean), flush=True)
             mean.zero_()
-            torch.save(network.state_dict(), state)
+        if step % SAVED == SAVED - 1 or step == steps - 1:
+            write_weights(network.eval(), file)
+            network.train()
 
 
 def main():
@@ -251,18 +293,15 @@ def main():
     words.add_argument("folder", type=pathlib.Path)
     words.add_argument("weights", type=pathlib.Path)
     words.add_argument("--steps", type=int, default=9000)
-    words.add_argument("--go-on", action="store_true", help="from the last training in FOLDER")
+    words.add_argument("--go-on", action="store_true", help="from WEIGHTS")
     given = words.parse_args()
     table.keep_memory()
     torch.manual_seed(0)
     network = Network()
-    state = given.folder / "network.pt"
+    examples = Examples(given.folder)
     if given.go_on:
-        network.load_state_dict(torch.load(state))
-    train(network, Examples(given.folder), given.steps, GOING_ON if given.go_on else FASTEST, state)
-    network.eval()
-    torch.save(network.state_dict(), state)
-    write_weights(network, given.weights)
+        read_weights(network, given.weights, torch.cat([examples.batch(SIDE)[0] for _ in range(4)]))
+    train(network, examples, given.steps, GOING_ON if given.go_on else FASTEST, given.weights)
 
 
 if __name__ == "__main__":

@@ -23,15 +23,19 @@ import sources
 import table
 
 
-def paint(folder, one, figure, each):
-    """Paints a figure in some manners. Returns the number of pictures."""
-    names = sorted(manners.MANNERS, key=lambda name: sources.number_of("learn" + one + name))[:each]
-    for k, name in enumerate(names):
+def paint(folder, one, figure, painters):
+    """Writes the pictures of a figure. Returns their number."""
+    for k, (name, painter) in enumerate(painters):
         rng = np.random.default_rng(sources.number_of("learn" + one + name))
-        picture, parts = manners.MANNERS[name](figure, rng)
+        picture, parts = painter(figure, rng)
         Image.fromarray(picture).save(folder / f"{one}-{k}.png", compress_level=1)
         Image.fromarray(parts.astype(np.uint8)).save(folder / f"{one}-{k}.parts.png", compress_level=1)
-    return len(names)
+    return len(painters)
+
+
+def painters_of(one, each):
+    """Returns some manners, chosen by a figure's id."""
+    return sorted(manners.MANNERS.items(), key=lambda item: sources.number_of("learn" + one + item[0]))[:each]
 
 
 def paint_drawing(corpus, folder, one, each, side):
@@ -40,12 +44,15 @@ def paint_drawing(corpus, folder, one, each, side):
     except (OSError, IndexError, table.subprocess.CalledProcessError):
         return 0
     shutil.copy(corpus / "figures" / f"{one}.json", folder)
-    return paint(folder, one, figure, each)
+    return paint(folder, one, figure, painters_of(one, each))
 
 
 def paint_shapes(folder, number, each, side):
+    """Paints a figure of simple shapes, half of the pictures as shapes.drawn_by_hand."""
     one = f"shapes{number}"
-    return paint(folder, one, shapes.figure(np.random.default_rng(sources.number_of(one)), side), each)
+    figure, *limbs = shapes.figure(np.random.default_rng(sources.number_of(one)), side)
+    by_hand = [(f"hand{k}", lambda figure, rng: shapes.drawn_by_hand(figure, *limbs, rng)) for k in range(each // 2)]
+    return paint(folder, one, figure, by_hand + painters_of(one, each - len(by_hand)))
 
 
 def main():
