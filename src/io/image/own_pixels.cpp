@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <numeric>
 #include <vector>
 
 #include "kernel/image/enlarge.h"
@@ -23,18 +22,6 @@ using WeightedColour = std::array<double, 4>;
 
 bool is_same(const uint8_t* a, const uint8_t* b) {
   return (a[3] == 0 && b[3] == 0) || std::memcmp(a, b, 4) == 0;
-}
-
-/// Returns the largest side of squares of one colour that make the picture.
-int grid_of(const Image8& rgba) {
-  int side = std::gcd(rgba.width, rgba.height);
-  for (int y = 0; y < rgba.height && side > 1; ++y)
-    for (int x = 0; x < rgba.width; ++x) {
-      const uint8_t* here = &rgba.at(x, y);
-      if (x > 0 && !is_same(here, &rgba.at(x - 1, y))) side = std::gcd(side, x);
-      if (y > 0 && !is_same(here, &rgba.at(x, y - 1))) side = std::gcd(side, y);
-    }
-  return side;
 }
 
 /// A picture with one pixel for each square.
@@ -112,7 +99,7 @@ Steps steps_of(const Squares& squares) {
 
 int own_pixels(const Image8& rgba, std::optional<bool> is_pixel_art) {
   if (rgba.empty() || !is_pixel_art.value_or(true)) return 0;
-  const Squares squares{rgba, grid_of(rgba)};
+  const Squares squares{rgba, square_side(rgba)};
   if (is_pixel_art) return squares.side;
   if (std::max(squares.width(), squares.height()) >= small_side || !has_few_colours(squares))
     return 0;
