@@ -9,6 +9,7 @@
 #include "relievo/files.h"
 #include "understanding/areas/find_basins.h"
 #include "understanding/labels/label_basins.h"
+#include "understanding/perception/built_in_network.h"
 #include "understanding/scene/propose_scene.h"
 
 // Prints the CPU time, of all threads, of segmentation, of a changed stroke, and of completing,
@@ -75,7 +76,7 @@ double time_of(const std::function<void()>& work) {
 /// Prints one line and returns the time per megapixel.
 double measure(const Drawing& drawing) {
   const double megapixels = 1e-6 * drawing.rgba.width * drawing.rgba.height;
-  Result<understanding::Basins> basins = understanding::find_basins(drawing);
+  Result<understanding::Basins> basins = understanding::find_basins(drawing, built_in_network());
   if (!basins) {
     std::printf("%s\n", to_string(basins.error()).c_str());
     return 0;
@@ -86,7 +87,8 @@ double measure(const Drawing& drawing) {
       {"a", "b"},
       {{understanding::ScribbleKind::hard, 0, {{x - 30, y}, {x - 30, y + 20}}, 5},
        {understanding::ScribbleKind::hard, 1, {{x + 30, y}, {x + 30, y + 20}}, 5}}};
-  const double find = time_of([&] { basins = understanding::find_basins(drawing); });
+  const double find =
+      time_of([&] { basins = understanding::find_basins(drawing, built_in_network()); });
   const double label = time_of([&] { (void)understanding::label_basins(*basins, strokes); });
   std::printf("%7.2f MP  basins %7.1f ms/MP  strokes %6.1f ms/MP (%4.1f %%)\n", megapixels,
               find / megapixels, label / megapixels, 100 * label / find);

@@ -22,6 +22,7 @@ export default defineConfig({
     alias: [
       { find: '#relievo', replacement: `${core}/relievo.mjs` },
       { find: /^#core\.wasm/, replacement: `${core}/relievo.wasm` },
+      { find: /^#network\.bin/, replacement: at('../src/understanding/perception/network.bin') },
     ],
   },
   server: { fs: { allow: [at('..')] } },

@@ -32,6 +32,8 @@
 #include "relievo/pixel_art.h"
 #include "understanding/labels/segment_drawing.h"
 #include "understanding/marks/make_parts.h"
+#include "understanding/perception/built_in_network.h"
+#include "understanding/perception/perceive.h"
 #include "understanding/scene/understand_drawing.h"
 
 namespace relievo::cli {
@@ -160,6 +162,14 @@ Status cut_out(const std::string& name, SegmentInput& input) {
   return Done{};
 }
 
+/// Finds which parts are in front where labels are given.
+Status perceive_order(SegmentInput& input) {
+  auto seen = understanding::perceive(input.picture.rgba, understanding::built_in_network());
+  if (!seen) return seen.error();
+  input.found.front = std::move(seen->front);
+  return Done{};
+}
+
 /// Reads or finds the labels, as the arguments specify.
 Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
@@ -168,11 +178,11 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
     auto labels = read_labels(segment.labels, input.picture);
     if (!labels) return labels.error();
     record.labels = std::move(*labels);
-    return Done{};
+    return perceive_order(input);
   }
   const bool as_in_project =
       segment.scribbles.empty() && segment.figure.empty() && segment.parts == 0;
-  if (as_in_project && !record.labels.empty()) return Done{};
+  if (as_in_project && !record.labels.empty()) return perceive_order(input);
   if (!segment.figure.empty())
     if (Status status = cut_out(segment.figure, input); !status) return status;
   if (!segment.scribbles.empty()) {

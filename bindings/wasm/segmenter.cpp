@@ -68,19 +68,25 @@ struct Segmenter::Labelled {
   understanding::Segmentation found;
 };
 
-val Segmenter::open_png(const val& file) {
+val Segmenter::open_png(const val& file, const val& network) {
   const Bytes png = to_bytes(file);
   auto rgba = decode_png(png);
-  return rgba ? open(upright(std::move(*rgba), png_orientation(png))) : failure(rgba.error());
+  return rgba ? open(upright(std::move(*rgba), png_orientation(png)), network)
+              : failure(rgba.error());
 }
 
-val Segmenter::open_pixels(const val& rgba, int width, int height) {
-  return open(to_image(rgba, width, height));
+val Segmenter::open_pixels(const val& rgba, int width, int height, const val& network) {
+  return open(to_image(rgba, width, height), network);
 }
 
-val Segmenter::open(Image8 rgba) {
+val Segmenter::open(Image8 rgba, const val& network) {
+  if (network_.empty()) {
+    auto decoded = understanding::decode_network(to_bytes(network));
+    if (!decoded) return failure(decoded.error());
+    network_ = std::move(*decoded);
+  }
   Drawing drawing{std::move(rgba)};
-  auto basins = understanding::find_basins(drawing);
+  auto basins = understanding::find_basins(drawing, network_);
   if (!basins) return failure(basins.error());
   drawing_ = std::move(drawing);
   basins_ = std::move(*basins);

@@ -8,6 +8,7 @@
 #include "relievo/image.h"
 #include "relievo/result.h"
 #include "understanding/areas/basins.h"
+#include "understanding/perception/network.h"
 
 namespace relievo::wasm {
 
@@ -17,11 +18,12 @@ namespace relievo::wasm {
 /// segmentation, or empty. Every call returns a plain object, or {error} if it fails (see failure).
 class Segmenter {
  public:
-  /// Sets the drawing, a PNG file. Returns {}.
-  emscripten::val open_png(const emscripten::val& file);
+  /// Sets the drawing, a PNG file. `network` is the file of decode_network. Returns {}.
+  emscripten::val open_png(const emscripten::val& file, const emscripten::val& network);
 
-  /// Sets the drawing, pixels of 4 bytes each, straight alpha. Returns {}.
-  emscripten::val open_pixels(const emscripten::val& rgba, int width, int height);
+  /// Sets the drawing, pixels of 4 bytes each, straight alpha, in the same way. Returns {}.
+  emscripten::val open_pixels(const emscripten::val& rgba, int width, int height,
+                              const emscripten::val& network);
 
   /// Returns {labels, parts: [{label, id}], bridges: [{points, left, right}], notes}: the label of
   /// every pixel, and the closed gaps in lines with the labels beside them. See label_basins,
@@ -37,10 +39,11 @@ class Segmenter {
  private:
   struct Labelled;
 
-  emscripten::val open(Image8 rgba);
+  emscripten::val open(Image8 rgba, const emscripten::val& network);
   Result<Labelled> read(const std::string& project, const emscripten::val& last);
   Status remember(const emscripten::val& last);
 
+  understanding::Network network_;
   Drawing drawing_;
   understanding::Basins basins_;
   Bytes last_file_;

@@ -85,7 +85,7 @@ TEST_F(Build, WritesEveryKindOfFileAndNothingElse) {
 /// What was guessed must not stand in the way of a coarse model.
 TEST_F(Build, LeavesOutGuessedJoinsThatDoNotFitTheMesh) {
   const std::filesystem::path drawing =
-      std::string(RELIEVO_SHARED_DATA) + "/truth/knight_sit_floor_pose_yaw35/drawing.png";
+      std::string(RELIEVO_SHARED_DATA) + "/truth/knight_sit_floor_pose_yaw80/drawing.png";
   if (!std::filesystem::exists(drawing)) GTEST_SKIP() << "there are no shared drawings";
   ASSERT_EQ(relievo({"segment", drawing.string(), "-o", "p.relievo"}).exit_code, 0);
   for (const std::string& input : {drawing.string(), std::string("p.relievo")}) {

@@ -112,7 +112,7 @@ TEST(IncludeRules, CatchViolations) {
       {"relief/surface/assemble_model.cpp", "relief/nonlinear/solve_nonlinear.h"},
       {"relief/ordering/order_depth.cpp", "relief/session/build_relief.h"},
       {"scene/validate.cpp", "io/scene/scene_json.h"},
-      {"understanding/paper/rulings.cpp", "understanding/figure/figure_mask.h"},
+      {"understanding/lines/line_map.cpp", "understanding/paper/lay_on_white.h"},
       {"understanding/scene/propose_scene.cpp", "relief/layers/layered_mesh.h"},
       {"relief/layers/layer_parts.cpp", "understanding/labels/segmentation.h"},
       {"kernel/cholesky/supernodes.cpp", "kernel/solvers/active_set.h"},

@@ -1,7 +1,8 @@
 import { render } from 'preact';
 import coreUrl from '#core.wasm?url';
+import networkUrl from '#network.bin?url';
 import { Shelf } from '../document/shelf';
-import { compileCore, Engine } from '../engine/engine';
+import { compileCore, Engine, loadOnce } from '../engine/engine';
 import { BuildControl } from './control/build_control';
 import { DressControl } from './control/dress_control';
 import { speak, visitorsLanguage } from '../words/catalogue';
@@ -95,7 +96,7 @@ async function main(): Promise<void> {
   new DressControl(editor, full, control);
   new PrintControl(editor, full, control);
   const keeper = new Keeper(editor, await openShelf());
-  const segments = new SegmentControl(editor, () => new Engine(compiled));
+  const segments = new SegmentControl(editor, () => new Engine(compiled), loadOnce(networkUrl));
   const files = new FileControl(editor, full, { control, segments }, keeper);
   const choose = chooser(files);
   let paper: PaperControl | null = null;

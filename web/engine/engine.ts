@@ -72,8 +72,9 @@ export class Engine {
     return this.call(async (remote) => await remote.unreadFile(bytes));
   }
 
-  openDrawing(drawing: FlatDrawing): Promise<object | Failure> {
-    return this.call(async (remote) => await remote.openDrawing(drawing));
+  /** Opens a flat drawing; `network` holds the weights that the core perceives it with. */
+  openDrawing(drawing: FlatDrawing, network: Uint8Array): Promise<object | Failure> {
+    return this.call(async (remote) => await remote.openDrawing(drawing, network));
   }
 
   /** Computes the labels of strokes as a picture. `width` and `height` are those of the drawing. */
@@ -159,6 +160,23 @@ export class Engine {
       if (this.running.worker === worker) this.restart(new EngineStopped(true, event.message));
     });
   }
+}
+
+/** Returns a function that loads a file when it is called first. A load that failed is tried again. */
+export function loadOnce(url: string): () => Promise<Uint8Array> {
+  let loaded: Promise<Uint8Array> | null = null;
+  const load = async (): Promise<Uint8Array> => {
+    const answer = await fetch(url);
+    if (!answer.ok) throw new Error(`${url}: ${String(answer.status)}`);
+    return new Uint8Array(await answer.arrayBuffer());
+  };
+  return () => {
+    loaded ??= load().catch((error: unknown) => {
+      loaded = null;
+      throw error;
+    });
+    return loaded;
+  };
 }
 
 /** Compiles the core once for all workers. */

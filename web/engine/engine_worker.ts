@@ -55,8 +55,8 @@ const endpoint = {
   async unreadFile(bytes: Uint8Array) {
     return (await started()).unreadFile(bytes);
   },
-  async openDrawing(drawing: FlatDrawing) {
-    const opened = (await started()).openDrawing(drawing);
+  async openDrawing(drawing: FlatDrawing, network: Uint8Array) {
+    const opened = (await started()).openDrawing(drawing, network);
     if (isFailure(opened)) return opened;
     return {};
   },

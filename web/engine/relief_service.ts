@@ -75,11 +75,11 @@ export class ReliefService {
     return this.module.unreadFile(bytes);
   }
 
-  /** Opens a flat drawing for scribbling. */
-  openDrawing(drawing: FlatDrawing): object | Failure {
-    if ('png' in drawing) return this.segmenter.openPng(drawing.png);
+  /** Opens a flat drawing for scribbling. `network` holds the weights that it is perceived with. */
+  openDrawing(drawing: FlatDrawing, network: Uint8Array): object | Failure {
+    if ('png' in drawing) return this.segmenter.openPng(drawing.png, network);
     const { rgba, width, height } = drawing.pixels;
-    return this.segmenter.openPixels(rgba, width, height);
+    return this.segmenter.openPixels(rgba, width, height, network);
   }
 
   label({ project, labels }: SegmentationRequest): Labelled | Failure {

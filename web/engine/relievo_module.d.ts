@@ -23,8 +23,8 @@ declare module '#relievo' {
   }
 
   export interface Segmenter {
-    openPng(file: Uint8Array): object | Failure;
-    openPixels(rgba: Uint8Array, width: number, height: number): object | Failure;
+    openPng(file: Uint8Array, network: Uint8Array): object | Failure;
+    openPixels(rgba: Uint8Array, width: number, height: number, network: Uint8Array): object | Failure;
     label(project: string, last: Uint8Array): Labelled | Failure;
     propose(project: string, last: Uint8Array, edited: string): Understanding | Failure;
     delete(): void;

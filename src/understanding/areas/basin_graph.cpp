@@ -18,22 +18,27 @@ constexpr double beside_share = 0.015;
 void add_run(const Image8& rgba, const Image8& rgb, const Basins& basins, size_t begin, size_t end,
              Basin& basin) {
   const Image8& barrier = basins.barrier;
-  const Image8& figure = basins.figure.inside;
   uint32_t coloured = 0;
+  uint32_t figure = 0;
   uint32_t transparent = 0;
+  uint64_t squares = 0;
   std::array<uint32_t, 3> sum = {};
   for (size_t i = begin; i < end; ++i) {
     const uint32_t counts = barrier.pixels[i] == 0 ? 1 : 0;
     coloured += counts;
-    transparent += counts & (rgba.pixels[4 * i + 3] < 128 ? 1U : 0U);
-    for (size_t c = 0; c < 3; ++c) sum[c] += counts * rgb.pixels[3 * i + c];
+    figure += basins.figure.pixels[i];
+    transparent += rgba.pixels[4 * i + 3] < 128 ? 1 : 0;
+    for (size_t c = 0; c < 3; ++c) {
+      const uint32_t value = rgb.pixels[3 * i + c];
+      sum[c] += counts * value;
+      squares += uint64_t{counts} * value * value;
+    }
   }
-  if (!figure.empty())
-    basin.in_figure += std::count(figure.pixels.begin() + static_cast<ptrdiff_t>(begin),
-                                  figure.pixels.begin() + static_cast<ptrdiff_t>(end), 1);
+  basin.figure += figure;
+  basin.transparent += transparent;
+  basin.colour_squares += static_cast<int64_t>(squares);
   basin.area += static_cast<int64_t>(end - begin);
   basin.coloured += coloured;
-  basin.transparent += transparent;
   for (size_t c = 0; c < 3; ++c) basin.colour_sum[c] += sum[c];
 }
 
@@ -117,12 +122,21 @@ class PairCollector {
     const uint8_t q = basins_.barrier.pixels[j];
     const bool line = LineMap::is_wall(p) || LineMap::is_wall(q);
     const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
-    const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
-    pairs_.push_back({{1, line ? 1 : 0, edge ? 1 : 0, {}},
+    const int64_t ink = std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
+    const int64_t white = 255 - ink;
+    const int64_t near = std::max(basins_.near_contour.pixels[i], basins_.near_contour.pixels[j]);
+    pairs_.push_back({{1,
+                       line ? 1 : 0,
+                       edge ? 1 : 0,
+                       ink,
+                       std::max(basins_.contour.pixels[i], basins_.contour.pixels[j]),
+                       near,
+                       near > 127 ? 1 : 0,
+                       {}},
                       std::min(a, b),
                       std::max(a, b),
                       1 + unit_ * white * white / (255 * 255)});
-    if (rgb_ == nullptr || line || edge) return;
+    if (rgb_ == nullptr) return;
     if (b < a) std::swap(i, j);
     const size_t in_a = pixel_beside(i, j);
     const size_t in_b = pixel_beside(j, i);
@@ -131,8 +145,8 @@ class PairCollector {
           int64_t{rgb_->pixels[3 * in_b + c]} - int64_t{rgb_->pixels[3 * in_a + c]};
   }
 
-  /// Returns the pixel at distance `beside_` from a pair on the side of `own`, or the last one
-  /// before its basin ends or a barrier begins.
+  /// Returns the pixel at distance `beside_` from a pair on the side of `own`, beyond the barrier
+  /// that it lies on, or the last one before its basin ends or another barrier begins.
   size_t pixel_beside(size_t own, size_t other) const {
     const int x = static_cast<int>(own % basins_.index.width);
     const int y = static_cast<int>(own / basins_.index.width);
@@ -140,14 +154,15 @@ class PairCollector {
     const int way_y = y - static_cast<int>(other / basins_.index.width);
     const auto step = static_cast<ptrdiff_t>(own) - static_cast<ptrdiff_t>(other);
     size_t found = own;
+    size_t next = own;
     for (int k = 1; k <= beside_; ++k) {
       const int u = x + k * way_x;
       const int v = y + k * way_y;
       if (u < 0 || v < 0 || u >= basins_.index.width || v >= basins_.index.height) break;
-      const auto next = static_cast<size_t>(static_cast<ptrdiff_t>(found) + step);
-      if (basins_.index.pixels[next] != basins_.index.pixels[own] ||
-          basins_.barrier.pixels[next] != LineMap::none)
-        break;
+      next = static_cast<size_t>(static_cast<ptrdiff_t>(next) + step);
+      if (basins_.index.pixels[next] != basins_.index.pixels[own]) break;
+      const bool barred = basins_.barrier.pixels[next] != LineMap::none;
+      if (barred && basins_.barrier.pixels[found] == LineMap::none) break;
       found = next;
     }
     return found;

@@ -8,8 +8,8 @@
 namespace relievo::understanding {
 
 /// Computes `basins.basins`, but for their inradii, and `basins.borders` from index, ink, barrier
-/// and figure. `rgba` is the drawing, `rgb` the same on white. O(pixels + border pixels log border
-/// pixels).
+/// and the maps of what is perceived. `rgba` is the drawing, `rgb` the same on white. O(pixels +
+/// border pixels log border pixels).
 void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins);
 
 /// Computes `basins.borders` from index, ink and barrier. O(border pixels log border pixels).

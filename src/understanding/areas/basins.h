@@ -6,7 +6,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "relievo/image.h"
-#include "understanding/figure/figure_mask.h"
+#include "understanding/perception/perceive.h"
 
 namespace relievo::understanding {
 
@@ -18,13 +18,14 @@ struct Basin {
   std::array<int64_t, 4> at_edge = {};     ///< px off the lines at the left, right, top, bottom
   Box2 box;                                ///< around its pixels
   std::array<int64_t, 3> colour_sum = {};  ///< of the drawing on white, over its pixels off lines
+  int64_t colour_squares = 0;              ///< of all channels, over the same pixels
   int64_t coloured = 0;                    ///< px in colour_sum
-  int64_t transparent = 0;                 ///< of these, px that are transparent in the drawing
-  int64_t in_figure = 0;                   ///< px inside the figure's mask
+  int64_t transparent = 0;                 ///< px that are transparent in the drawing
+  int64_t figure = 0;                      ///< sum of Perception::figure over its pixels
 };
 
-/// Returns whether most of a basin lies inside the figure's mask.
-inline bool is_in_figure(const Basin& basin) { return 2 * basin.in_figure > basin.area; }
+/// Returns whether a basin belongs to the figure rather than to its surroundings.
+inline bool is_in_figure(const Basin& basin) { return basin.figure > 127 * basin.area; }
 
 /// Computes the mean colour of a basin, of 255 a channel. Precondition: basin.coloured > 0.
 inline std::array<double, 3> mean_colour(const Basin& basin) {
@@ -36,17 +37,24 @@ inline std::array<double, 3> mean_colour(const Basin& basin) {
 
 /// The border between two areas, as sums over the pairs of pixels that share a side across it.
 struct Border {
-  int64_t pairs = 0;       ///< number of pairs
-  int64_t line_pairs = 0;  ///< pairs with a pixel on a line
-  int64_t edge_pairs = 0;  ///< other pairs with a pixel on an edge between colours
-  /// Sum, over the pairs with neither, of the colour near the border in the second area less that
-  /// in the first.
+  int64_t pairs = 0;         ///< number of pairs
+  int64_t line_pairs = 0;    ///< pairs with a pixel on a line
+  int64_t edge_pairs = 0;    ///< other pairs with a pixel on an edge between colours
+  int64_t ink = 0;           ///< sum of LineMap::ink, the greater of a pair
+  int64_t contour = 0;       ///< sum of Perception::contour, the greater of a pair
+  int64_t near_contour = 0;  ///< sum of the greatest Perception::contour nearby
+  int64_t on_contour = 0;    ///< pairs near which a contour is likelier than not
+  /// Sum of the colour near the border in the second area less that in the first.
   std::array<int64_t, 3> step = {};
 
   void add(const Border& other) {
     pairs += other.pairs;
     line_pairs += other.line_pairs;
     edge_pairs += other.edge_pairs;
+    ink += other.ink;
+    contour += other.contour;
+    near_contour += other.near_contour;
+    on_contour += other.on_contour;
     for (size_t c = 0; c < 3; ++c) step[c] += other.step[c];
   }
 };
@@ -66,9 +74,13 @@ struct Basins {
   std::vector<BasinBorder> borders;  ///< sorted by a, b
   Image8 ink;                        ///< see LineMap
   Image8 barrier;                    ///< see LineMap
-  FigureMask figure;                 ///< see find_figure
+  Image8 figure;                     ///< Perception::figure of every pixel
+  Image8 contour;                    ///< Perception::contour of every pixel
+  Image8 near_contour;               ///< the greatest of those nearby
+  FrontMap front;                    ///< see Perception
   double line_width = 1;             ///< px
   bool painted = false;              ///< see LineMap
+  bool cut_out = false;              ///< see is_cut_out
   std::vector<int> region;           ///< [#B] proposed region: 0 background, else 1 ... #R
   int region_count = 0;              ///< #R
   double unbounded_ink = 0;          ///< share of the lines, by area, that bound no region

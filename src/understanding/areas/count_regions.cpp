@@ -7,32 +7,23 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/base/exact_functions.h"
+#include "understanding/areas/region_features.h"
 #include "understanding/areas/region_merging.h"
 
 namespace relievo::understanding {
 namespace {
 
-constexpr double lined_worth = 0.25;     ///< worth of a lined border between like areas; open: 1
-constexpr double other_colour = 100;     ///< least distance of colours that are not alike, of 255
 constexpr double smallest_piece = 0.01;  ///< least area of a piece that is divided off, per figure
-
-/// Computes how likely two neighbours are one part:
-///   affinity = pairs (o + lined_worth (1 - o) likeness) / sqrt(area of the smaller one),
-/// where o is the open share of their border, and likeness that of their colours.
-double affinity(const RegionMerging& regions, int a, int b) {
-  const double open = regions.open_share(a, b);
-  const double likeness = std::max(0.0, 1 - regions.colour_distance(a, b) / other_colour);
-  const auto pairs = static_cast<double>(regions.borders(a).at(b).pairs);
-  const auto area = static_cast<double>(std::min(regions.region(a).area, regions.region(b).area));
-  return pairs * (open + lined_worth * (1 - open) * likeness) / std::sqrt(std::max(1.0, area));
-}
 
 /// Unites neighbours of one group, the likeliest first. `group`: [#B] regions in different groups,
 /// or in 0, stay apart.
-Merger unite_likeliest(RegionMerging& regions, const std::vector<int>& group) {
-  return Merger(regions, [&regions, &group](int a, int b) -> std::pair<double, int64_t> {
-    const bool one_group = group[a] != 0 && group[a] == group[b];
-    return {one_group ? affinity(regions, a, b) : -1, 0};
+Merger unite_likeliest(RegionMerging& regions, const DrawingMeasure& drawing,
+                       const std::vector<int>& group) {
+  return Merger(regions, [&regions, &group, drawing](int a, int b) -> std::pair<double, int64_t> {
+    if (group[a] == 0 || group[a] != group[b]) return {-1, 0};
+    // The probability, which orders pairs as their odds do and is positive.
+    return {1 / (1 + exact::exp(-one_part_odds(regions, drawing, a, b))), 0};
   });
 }
 
@@ -52,7 +43,7 @@ std::vector<int> unite_regions(const Basins& basins, RegionMerging& regions) {
 void unite_down_to(int count, Basins& basins) {
   RegionMerging regions(basins);
   const std::vector<int> figure = unite_regions(basins, regions);
-  Merger merger = unite_likeliest(regions, figure);
+  Merger merger = unite_likeliest(regions, measure_drawing(basins), figure);
   for (int left = basins.region_count; left > count && merger.unite_next(); --left) {
   }
   std::vector<int> number(basins.region.size(), 0);
@@ -70,7 +61,7 @@ struct Node {
   int left = -1;  ///< index of a node; -1 in a basin
   int right = -1;
   int64_t area = 0;  ///< px
-  double worth = 0;  ///< affinity of both sides
+  double worth = 0;  ///< probability that both sides are one part
 };
 
 /// Unites the basins of each region into trees. Nodes 0 ... #B - 1 are the basins; the roots are
@@ -81,7 +72,7 @@ std::vector<Node> unite_basins(const Basins& basins) {
   for (const Basin& basin : basins.basins) nodes.push_back({-1, -1, basin.area, 0});
   std::vector<int> node(nodes.size());  // [#B] of the region that a basin stands for
   std::iota(node.begin(), node.end(), 0);
-  Merger merger = unite_likeliest(regions, basins.region);
+  Merger merger = unite_likeliest(regions, measure_drawing(basins), basins.region);
   while (const auto united = merger.unite_next()) {
     const int left = node[united->a];
     const int right = node[united->b];

@@ -1,27 +1,30 @@
 #include "understanding/areas/find_basins.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "kernel/image/blur.h"
 #include "kernel/image/distance_transform.h"
+#include "kernel/image/morphology.h"
 #include "kernel/image/watershed.h"
 #include "understanding/areas/basin_graph.h"
 #include "understanding/areas/cut_necks.h"
+#include "understanding/areas/divide_at_cut.h"
 #include "understanding/areas/propose_regions.h"
-#include "understanding/figure/figure_mask.h"
+#include "understanding/lines/colour_edges.h"
 #include "understanding/lines/line_gaps.h"
 #include "understanding/lines/line_map.h"
 #include "understanding/lines/stroke_ends.h"
-#include "understanding/paper/cast_shadow.h"
 #include "understanding/paper/lay_on_white.h"
-#include "understanding/paper/plain_background.h"
 #include "understanding/paper/pure_white.h"
-#include "understanding/paper/rulings.h"
+#include "understanding/perception/perceive.h"
 
 namespace relievo::understanding {
 namespace {
 
+constexpr int least_contour = 100;         ///< probability, of 255, of contours that bound basins
+constexpr double contour_margin = 1.5;     ///< cells, distance up to which lines stand for contours
 constexpr double smallest_inradius = 1.5;  ///< px; narrower basins are gaps inside double strokes
 /// A peak has its own basin if it rises 1.5 px above the pass to a higher one and that is at most
 /// 0.9 times as high.
@@ -54,6 +57,15 @@ void close_line_gaps(const Image8& rgb, LineMap& map) {
     close_gap(gap, LineMap::gap, map.barrier);
 }
 
+/// Sets what is perceived at every pixel.
+void look_up(const Perception& seen, int width, int height, Basins& basins) {
+  basins.front = seen.front;
+  basins.figure = at_pixels(seen.figure, seen.cell, width, height);
+  basins.contour = at_pixels(seen.contour, seen.cell, width, height);
+  basins.near_contour =
+      max_filter(basins.contour, std::max(1, static_cast<int>(std::lround(seen.cell))));
+}
+
 /// Reports progress. Returns false where the run was cancelled.
 bool go_on(const RunContext& context, double done) {
   context.report("find areas", done);
@@ -62,24 +74,25 @@ bool go_on(const RunContext& context, double done) {
 
 }  // namespace
 
-Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
+Result<Basins> find_basins(const Drawing& drawing, const Network& network,
+                           const RunContext& context) {
   if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
   if (!go_on(context, 0)) return interrupted_error();
-  const Image8 unruled = without_rulings(drawing.rgba);
-  const Image8& photo = unruled.empty() ? drawing.rgba : unruled;
-  const WithoutBackground figure = without_background(photo);
-  const Image8& drawn = figure.rgba.empty() ? photo : figure.rgba;
-  const bool on_pure_white = figure.is_cut || is_on_pure_white(drawn);
-  const Image8 shadowless = on_pure_white && !figure.is_cut ? without_cast_shadow(drawn) : Image8{};
-  const Image8& rgba = shadowless.empty() ? drawn : shadowless;
+  const auto seen = perceive(drawing.rgba, network);
+  if (!seen) return seen.error();
+  const Image8& rgba = drawing.rgba;
+  const bool on_pure_white = is_on_pure_white(rgba);
   const Image8 rgb = lay_on_white(rgba, on_pure_white);
   if (!go_on(context, 0.1)) return interrupted_error();
   LineMap map = find_lines(rgb, on_pure_white);
   close_line_gaps(rgb, map);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
-  basins.figure = find_figure(rgba, rgb, map, on_pure_white);
-  mark_rim(basins.figure, map);
+  look_up(*seen, rgba.width, rgba.height, basins);
+  basins.cut_out = is_cut_out(rgba, basins.figure);
+  if (basins.cut_out) add_cut_edges(rgba, map);
+  add_contours(basins.contour, least_contour,
+               static_cast<int>(std::lround(contour_margin * seen->cell)), map);
   const std::vector<uint8_t>& barrier = map.barrier.pixels;
   if (std::all_of(barrier.begin(), barrier.end(), [](uint8_t b) { return b == LineMap::none; }))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
@@ -87,12 +100,13 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (basins.basins.empty())
     return Error{ErrorCode::bad_input, "the drawing has no areas between its lines", ""};
   if (!go_on(context, 0.9)) return interrupted_error();
+  if (basins.cut_out) divide_at_cut(rgba, static_cast<int>(basins.basins.size()), basins.index);
   basins.ink = std::move(map.ink);
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
   basins.painted = map.painted;
   measure_basins(rgba, rgb, basins);
-  propose_regions(rgb, basins);
+  propose_regions(basins);
   if (cut_necks(basins)) measure_basins(rgba, rgb, basins);
   context.report("find areas", 1);
   return basins;

@@ -4,6 +4,7 @@
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "understanding/areas/basins.h"
+#include "understanding/perception/network.h"
 
 namespace relievo::understanding {
 
@@ -11,6 +12,7 @@ namespace relievo::understanding {
 /// of them make one part. Errors: `bad_input` where the drawing is empty or has no lines or areas,
 /// `interrupted`. Near-linear in pixels. Cancellation is checked between steps, the longest of
 /// which takes a third of the time.
-Result<Basins> find_basins(const Drawing& drawing, const RunContext& context = {});
+Result<Basins> find_basins(const Drawing& drawing, const Network& network,
+                           const RunContext& context = {});
 
 }  // namespace relievo::understanding

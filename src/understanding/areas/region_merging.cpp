@@ -6,15 +6,6 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double similar_colour = 60;  ///< distance of mean colours, of 255 a channel
-constexpr double darkest_paint = 48;   ///< mean of the brightest channel, of 255; less is ink
-
-bool is_as_dark_as_ink(const Basin& region) {
-  if (region.coloured == 0) return false;
-  const std::array<double, 3> mean = mean_colour(region);
-  return *std::max_element(mean.begin(), mean.end()) < darkest_paint;
-}
-
 /// Returns a border as seen from its other side.
 Border turned(Border border) {
   for (int64_t& step : border.step) step = -step;
@@ -26,8 +17,7 @@ Border turned(Border border) {
 RegionMerging::RegionMerging(const Basins& basins)
     : sets_(static_cast<int>(basins.basins.size())),
       regions_(basins.basins),
-      borders_(basins.basins.size()),
-      figure_is_sharp_(basins.figure.sharp) {
+      borders_(basins.basins.size()) {
   for (const BasinBorder& border : basins.borders) {
     borders_[border.a][border.b] = border;
     borders_[border.b][border.a] = turned(border);
@@ -48,8 +38,9 @@ int RegionMerging::unite(int a, int b) {
   region.area += other.area;
   region.inradius = std::max(region.inradius, other.inradius);
   region.coloured += other.coloured;
+  region.figure += other.figure;
   region.transparent += other.transparent;
-  region.in_figure += other.in_figure;
+  region.colour_squares += other.colour_squares;
   region.box.add(other.box);
   for (size_t k = 0; k < 4; ++k) region.at_edge[k] += other.at_edge[k];
   for (size_t c = 0; c < 3; ++c) region.colour_sum[c] += other.colour_sum[c];
@@ -67,24 +58,12 @@ int RegionMerging::unite(int a, int b) {
   return keeps;
 }
 
-double RegionMerging::open_share(int a, int b) const {
-  if (figure_is_sharp_ && is_in_figure(regions_[a]) != is_in_figure(regions_[b])) return 0;
-  const Border& border = borders_[a].at(b);
-  const bool marked =
-      (edges_count_ || is_as_dark_as_ink(regions_[a]) || is_as_dark_as_ink(regions_[b])) &&
-      colour_distance(a, b) >= similar_colour;
-  const int64_t edges = marked ? border.edge_pairs : 0;
-  return 1 - static_cast<double>(border.line_pairs + edges) / static_cast<double>(border.pairs);
-}
-
 double RegionMerging::colour_step(int a, int b) const {
   const Border& border = borders_[a].at(b);
-  const int64_t open = border.pairs - border.line_pairs - border.edge_pairs;
-  if (open == 0) return colour_distance(a, b);
   double sum = 0;
   for (const int64_t step : border.step)
     sum += static_cast<double>(step) * static_cast<double>(step);
-  return std::sqrt(sum) / static_cast<double>(open);
+  return std::sqrt(sum) / static_cast<double>(border.pairs);
 }
 
 double RegionMerging::colour_distance(int a, int b) const {

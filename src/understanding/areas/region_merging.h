@@ -33,29 +33,17 @@ class RegionMerging {
   /// Unites two regions and returns the united one. O(borders of the one with fewer, log).
   int unite(int a, int b);
 
-  /// Computes the share of the border of two neighbours that no line or edge marks. Edges between
-  /// areas of similar colour are texture and mark nothing. The rim of a sharp figure mask marks all
-  /// of a border.
-  double open_share(int a, int b) const;
-
-  /// Lets edges mark nothing from now on, except around areas as dark as ink: where ink outlines
-  /// the parts, edges are painted on them.
-  void ignore_edges() { edges_count_ = false; }
-
   /// Computes the Euclidean distance of mean colours, of 255 a channel; 0 where one has no colour.
   double colour_distance(int a, int b) const;
 
-  /// Computes the same distance from the colours close to the part of the border without line and
-  /// edge. It is small between areas that differ since light changes across both. Where there is no
-  /// such part it is the distance of the means.
+  /// Computes the same distance from the colours close to the border. It is small between areas
+  /// that differ since light changes across both.
   double colour_step(int a, int b) const;
 
  private:
-  bool edges_count_ = true;
   DisjointSets sets_;
   std::vector<Basin> regions_;
   std::vector<std::map<int, Border>> borders_;
-  bool figure_is_sharp_;
 };
 
 /// Unites neighbouring regions in the order of their worth, the greatest first.

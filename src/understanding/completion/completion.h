@@ -42,6 +42,7 @@ struct NeighbourEvidence {
   double b_below_a = 0;
   bool a_shaped = false;  ///< the common boundary fits the rest of a's contour
   bool b_shaped = false;
+  double front = 0;   ///< how far a is seen in front of b, from -1 to 1
   bool open = false;  ///< the drawing shows neither line nor edge between them
 };
 

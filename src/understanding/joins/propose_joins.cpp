@@ -36,6 +36,8 @@ constexpr double line_step = 3;  ///< distance of the points of a join's line, p
 constexpr double max_stretch = 1.5;
 /// The least share of a join that lies inside the lower part.
 constexpr double min_inside = 0.5;
+/// Least confidence of an arrow between parts of which one rises above the other.
+constexpr double sure_order = 0.2;
 
 /// A root as an arc of the part's outline.
 struct RootArc {
@@ -115,8 +117,12 @@ JoinProposals connect_whole(const PartRegions& regions, const std::vector<Outlin
 class JoinProposer {
  public:
   JoinProposer(const PartRegions& regions, const std::vector<Outline>& outlines,
-               const Corrections& corrections, const DrawingEvidence& evidence)
+               const std::vector<OrderArrow>& order, const Corrections& corrections,
+               const DrawingEvidence& evidence)
       : regions_(regions), outlines_(outlines), evidence_(evidence) {
+    for (const OrderArrow& arrow : order)
+      if (arrow.kept && arrow.confidence >= sure_order)
+        sure_.insert(Pair(arrow.upper, arrow.lower));
     for (const Join& join : corrections.joins) {
       joined_.insert(Pair(join.upper, join.lower));
       out_.joins.push_back({indexed(join), 1, true});
@@ -196,7 +202,8 @@ class JoinProposer {
     for (const Root& root : around.roots) propose_join(part, root, around);
     for (const int lower : around.lower) {
       const auto tie = tied_.find(pair_of(part, lower));
-      const RelationKind apart = around.enclosed ? RelationKind::equal : RelationKind::above;
+      const bool rises = !around.enclosed && sure_.count(pair_of(part, lower)) > 0;
+      const RelationKind apart = rises ? RelationKind::above : RelationKind::equal;
       propose_relation(part, lower, tie != tied_.end() ? tie->second : apart);
     }
   }
@@ -306,6 +313,7 @@ class JoinProposer {
   const PartRegions& regions_;
   const std::vector<Outline>& outlines_;
   const DrawingEvidence& evidence_;
+  std::set<Pair> sure_;  ///< an upper part and the lower one above which it rises
   std::set<int> fixed_;  ///< parts that the user joined, or that have grown together
   std::set<int> limbs_;  ///< parts that grow out of another by their completed outlines
   /// Limbs that grow out from behind another part, and the confidence of that.
@@ -321,8 +329,9 @@ class JoinProposer {
 }  // namespace
 
 JoinProposals propose_joins(const PartRegions& regions, const std::vector<Outline>& outlines,
-                            const Corrections& corrections, const DrawingEvidence& evidence) {
-  return JoinProposer(regions, outlines, corrections, evidence).run();
+                            const std::vector<OrderArrow>& order, const Corrections& corrections,
+                            const DrawingEvidence& evidence) {
+  return JoinProposer(regions, outlines, order, corrections, evidence).run();
 }
 
 }  // namespace relievo::understanding

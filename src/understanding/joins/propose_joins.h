@@ -6,6 +6,7 @@
 #include "understanding/joins/join_proposals.h"
 #include "understanding/labels/corrections.h"
 #include "understanding/labels/drawing_evidence.h"
+#include "understanding/stacking/stacking.h"
 
 namespace relievo::understanding {
 
@@ -22,11 +23,13 @@ namespace relievo::understanding {
 ///    matters. A part that grows out from behind another with more confidence has no such join:
 ///    legs behind a skirt do not grow out of the cape behind them;
 ///  - equal: the outline does not touch the background, as that of an eye or a button; or the
-///    completed outlines tie the two, as a limb that comes out from behind a larger part;
+///    completed outlines tie the two, as a limb that comes out from behind a larger part; or
+///    neither is in front of the other with a probability of at least 0.6;
 ///  - above: all others.
-/// `regions` are sorted back to front, `outlines` are those of the parts in the scene. The user's
-/// corrections are never overruled. O(sides).
+/// `regions` are sorted back to front, `outlines` are those of the parts in the scene. `order` has
+/// the arrows of stack_parts. The user's corrections are never overruled. O(sides).
 JoinProposals propose_joins(const PartRegions& regions, const std::vector<Outline>& outlines,
+                            const std::vector<OrderArrow>& order,
                             const Corrections& corrections = {},
                             const DrawingEvidence& evidence = {});
 

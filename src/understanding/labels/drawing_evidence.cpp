@@ -128,11 +128,39 @@ bool DrawingEvidence::is_open(PartLabel a, PartLabel b) const {
                             std::pair<PartLabel, PartLabel>(std::minmax(a, b)));
 }
 
-DrawingEvidence measure_evidence(const Image8& rgba, const Image16& labels) {
+std::map<std::pair<PartLabel, PartLabel>, double> measure_front(const Image16& labels,
+                                                                const FrontMap& front) {
+  std::map<std::pair<PartLabel, PartLabel>, std::pair<double, int>> sums;
+  const auto add = [&](int x, int y, int dx, int dy) {
+    const PartLabel a = labels.at(x, y);
+    const PartLabel b = labels.at(x + dx, y + dy);
+    if (a == b || a == 0 || b == 0) return;
+    const auto cell = [&](double at, int cells) {
+      return std::clamp(static_cast<int>(at / front.cell), 0, cells - 1);
+    };
+    const int u = cell(x + 0.5 * (1 + dx), front.way.width);
+    const int v = cell(y + 0.5 * (1 + dy), front.way.height);
+    const double to_b = dx * double{front.way.at(u, v, 0)} + dy * double{front.way.at(u, v, 1)};
+    auto& [sum, sides] = sums[std::minmax(a, b)];
+    sum += a < b ? -to_b : to_b;
+    ++sides;
+  };
+  for (int y = 0; y < labels.height && !front.way.empty(); ++y)
+    for (int x = 0; x < labels.width; ++x) {
+      if (x + 1 < labels.width) add(x, y, 1, 0);
+      if (y + 1 < labels.height) add(x, y, 0, 1);
+    }
+  std::map<std::pair<PartLabel, PartLabel>, double> means;
+  for (const auto& [pair, sum] : sums) means[pair] = sum.first / sum.second;
+  return means;
+}
+
+DrawingEvidence measure_evidence(const Image8& rgba, const Image16& labels, const FrontMap& front) {
   assert(rgba.width == labels.width && rgba.height == labels.height);
   DrawingEvidence evidence;
   evidence.colours = label_colours(rgba, labels);
   evidence.open = open_borders(rgba, labels);
+  evidence.front = measure_front(labels, front);
   evidence.rim = rim_width(rgba, labels, evidence.colours);
   return evidence;
 }

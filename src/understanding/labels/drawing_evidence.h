@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -22,10 +23,20 @@ struct DrawingEvidence {
   /// median width of dark pixels from the background inwards; 0 where there is no such ink.
   double rim = 0;
 
+  /// Pairs of labels, the smaller first, and how far the first is seen in front of the other, from
+  /// -1 to 1; empty where unknown.
+  std::map<std::pair<PartLabel, PartLabel>, double> front;
+
   bool is_open(PartLabel a, PartLabel b) const;
 };
 
 /// Measures the evidence. `rgba` has the size of `labels`. O(pixels).
-DrawingEvidence measure_evidence(const Image8& rgba, const Image16& labels);
+DrawingEvidence measure_evidence(const Image8& rgba, const Image16& labels,
+                                 const FrontMap& front = {});
+
+/// Measures how far labels are seen in front of their neighbours (see DrawingEvidence::front): the
+/// mean, over the pixel sides of their border, of the way to the front across them. O(pixels).
+std::map<std::pair<PartLabel, PartLabel>, double> measure_front(const Image16& labels,
+                                                                const FrontMap& front);
 
 }  // namespace relievo::understanding

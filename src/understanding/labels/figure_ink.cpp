@@ -206,27 +206,4 @@ void take_ink(const Basins& basins, const Scribbles& scribbles,
   InkTaker(basins, last_label, labels).run(scribbles, marks);
 }
 
-void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,
-                 Image<int32_t>& labels) {
-  const FigureMask& figure = basins.figure;
-  if (figure.inside.empty()) return;
-  constexpr int32_t wall = -1;
-  for (size_t i = 0; i < labels.pixels.size(); ++i) {
-    const int basin = basins.index.pixels[i];
-    const bool made_background = of_basin[basin] == 0 && basins.region[basin] != 0;
-    if (figure.inside.pixels[i] == 0 && figure.cut_out) labels.pixels[i] = 0;
-    if (labels.pixels[i] == 0 && (figure.inside.pixels[i] == 0 || made_background))
-      labels.pixels[i] = wall;
-  }
-  flood_from_seeds(basins.ink, labels);
-  const Components pieces = connected_components(
-      mask_where(labels.width, labels.height, [&](size_t i) { return labels.pixels[i] == 0; }),
-      Connectivity::sides);
-  for (size_t i = 0; i < labels.pixels.size(); ++i) {
-    const int32_t piece = pieces.label.pixels[i];
-    if (piece != 0) labels.pixels[i] = last_label + piece;
-    if (labels.pixels[i] == wall) labels.pixels[i] = 0;
-  }
-}
-
 }  // namespace relievo::understanding

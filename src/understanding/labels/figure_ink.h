@@ -19,10 +19,4 @@ namespace relievo::understanding {
 void take_ink(const Basins& basins, const Scribbles& scribbles,
               const std::vector<StrokePixel>& marks, int last_label, Image<int32_t>& labels);
 
-/// Labels every pixel of the figure's mask: pixels without a label take the nearest one, or a new
-/// one after `last_label` where none can be reached. Areas that strokes made background stay it.
-/// `labels` has the labels of all pixels, `of_basin` those of the basins. O(pixels).
-void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,
-                 Image<int32_t>& labels);
-
 }  // namespace relievo::understanding

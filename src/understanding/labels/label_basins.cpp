@@ -17,12 +17,14 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double much_unbounded = 0.2;  ///< share of unbounded ink above which there is a note
-constexpr int many_parts = 40;          ///< number of parts above which there is a note
-constexpr size_t most_parts = 65534;    ///< limit of 16-bit labels
-constexpr int most_count = 1000;        ///< largest Scribbles::count
-constexpr double farthest = 1e6;        ///< px, largest coordinate of a stroke
-constexpr double widest_stroke = 1000;  ///< px
+constexpr double much_unbounded = 0.2;   ///< share of unbounded ink above which there is a note
+constexpr int many_parts = 40;           ///< number of parts above which there is a note
+constexpr double nearly_all = 0.95;      ///< share of the picture, above which parts get a note
+constexpr double nearly_nothing = 0.03;  ///< the same, below
+constexpr size_t most_parts = 65534;     ///< limit of 16-bit labels
+constexpr int most_count = 1000;         ///< largest Scribbles::count
+constexpr double farthest = 1e6;         ///< px, largest coordinate of a stroke
+constexpr double widest_stroke = 1000;   ///< px
 
 Error bad_stroke(size_t number, const std::string& what) {
   const Culprit stroke{CulpritList::strokes, number};
@@ -101,8 +103,6 @@ Image<int32_t> label_pixels(const Basins& basins, const std::vector<int>& labels
     pixels.pixels[i] = labels[basins.index.pixels[i]];
   const auto parts = static_cast<int>(scribbles.parts.size());
   take_ink(basins, scribbles, marks, parts + basins.region_count, pixels);
-  const int last = *std::max_element(pixels.pixels.begin(), pixels.pixels.end());
-  keep_figure(basins, labels, std::max(last, parts + basins.region_count), pixels);
   if (scribbles.complete) give_to_scribbled(parts, pixels);
   return pixels;
 }
@@ -122,6 +122,13 @@ void measure_parts(Segmentation& segmentation) {
   }
 }
 
+/// Computes the share of the picture that the parts cover.
+double covered_share(const Segmentation& segmentation) {
+  int64_t area = 0;
+  for (const SegmentedPart& part : segmentation.parts) area += part.area;
+  return static_cast<double>(area) / static_cast<double>(segmentation.labels.pixels.size());
+}
+
 void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& segmentation) {
   std::set<std::string> present;
   for (const SegmentedPart& part : segmentation.parts) present.insert(part.id);
@@ -130,6 +137,15 @@ void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& s
       segmentation.notes.push_back("no area is left for the part \"" + id +
                                    "\": draw a hard stroke inside it");
   if (!scribbles.strokes.empty()) return;
+  const double covered = covered_share(segmentation);
+  if (covered > nearly_all)
+    segmentation.notes.push_back(
+        "the parts cover nearly the whole picture: mark its background with an outside stroke");
+  if (covered < nearly_nothing)
+    segmentation.notes.push_back(
+        "the parts cover very little of the picture: crop it to the figure, or mark each part with "
+        "a "
+        "stroke");
   if (basins.unbounded_ink > much_unbounded)
     segmentation.notes.push_back(
         "many lines bound no area and became tubes; if they are outlines with wide gaps, mark each "
@@ -150,6 +166,7 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
     segmentation.labels.pixels[i] = number[of_pixel.pixels[i]];
   measure_parts(segmentation);
   segmentation.bridges = find_bridges(segmentation.labels, basins.barrier, basins.line_width);
+  segmentation.front = basins.front;
   add_notes(basins, scribbles, segmentation);
   return segmentation;
 }

@@ -6,6 +6,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "relievo/image.h"
+#include "understanding/perception/perceive.h"
 
 namespace relievo::understanding {
 
@@ -34,6 +35,7 @@ struct Segmentation {
   Image16 labels;                    ///< [drawing size] the part of every pixel, 0 background
   std::vector<SegmentedPart> parts;  ///< those with strokes first
   std::vector<Bridge> bridges;
+  FrontMap front;                  ///< see Perception
   std::vector<std::string> notes;  ///< advice for the user, one sentence each
 };
 

@@ -87,4 +87,26 @@ void add_colour_edges(const Image8& rgb, LineMap& map) {
   }
 }
 
+void add_cut_edges(const Image8& rgba, LineMap& map) {
+  const auto is_opaque = [&](int x, int y) { return rgba.at(x, y, 3) >= 128; };
+  const Image8 near_barrier = max_filter(map.barrier, flank_margin);
+  for (int y = 1; y + 1 < rgba.height; ++y)
+    for (int x = 1; x + 1 < rgba.width; ++x) {
+      if (!is_opaque(x, y) || near_barrier.at(x, y) != 0) continue;
+      if (is_opaque(x - 1, y) && is_opaque(x + 1, y) && is_opaque(x, y - 1) && is_opaque(x, y + 1))
+        continue;
+      map.barrier.at(x, y) = LineMap::edge;
+      map.ink.at(x, y) = 255;
+    }
+}
+
+void add_contours(const Image8& contour, int least, int margin, LineMap& map) {
+  const Image8 near_barrier = max_filter(map.barrier, margin);
+  for (size_t i = 0; i < contour.pixels.size(); ++i) {
+    if (contour.pixels[i] < least || near_barrier.pixels[i] != 0) continue;
+    map.barrier.pixels[i] = LineMap::edge;
+    map.ink.pixels[i] = std::max(map.ink.pixels[i], contour.pixels[i]);
+  }
+}
+
 }  // namespace relievo::understanding

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernel/base/exact_functions.h"
+#include "kernel/image/enlarge.h"
 
 namespace relievo::understanding {
 namespace {
@@ -20,35 +21,68 @@ constexpr size_t deepest = 2 * levels;
 constexpr size_t context = deepest + 1;
 constexpr size_t layer_count = context + 2 * levels;
 
-/// Returns the first pixel that cell `k` of `cells` covers, and the one after its last: all that
-/// begin in it, or where cells are smaller than pixels the one that it lies in.
-std::pair<int, int> pixels_of(int k, int cells, int pixels) {
-  if (cells >= pixels) return {k * pixels / cells, k * pixels / cells + 1};
-  const auto first = [&](int64_t cell) {
-    return static_cast<int>((cell * pixels + cells - 1) / cells);
-  };
-  return {first(k), first(k + 1)};
+/// Returns a picture with one pixel for each square of the given side.
+Image8 with_own_pixels(const Image8& rgba, int side) {
+  Image8 result(rgba.width / side, rgba.height / side, 4);
+  for (int y = 0; y < result.height; ++y)
+    for (int x = 0; x < result.width; ++x)
+      std::copy_n(&rgba.at(side * x, side * y), 4, &result.at(x, y));
+  return result;
 }
 
-/// Averages the pixels of a picture on white, with their alpha, over the cells of a grid.
-ImageF scaled(const Image8& rgba, int width, int height) {
-  ImageF means(width, height, 4);
-  for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u) {
-      const auto [x0, x1] = pixels_of(u, width, rgba.width);
-      const auto [y0, y1] = pixels_of(v, height, rgba.height);
-      float* mean = &means.at(u, v);
-      for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-          const float alpha = static_cast<float>(rgba.at(x, y, 3)) / 255;
-          for (int c = 0; c < 3; ++c)
-            mean[c] += alpha * static_cast<float>(rgba.at(x, y, c)) / 255 + (1 - alpha);
-          mean[3] += alpha;
-        }
-      const auto count = static_cast<float>((x1 - x0) * (y1 - y0));
-      for (int c = 0; c < 4; ++c) mean[c] /= count;
+/// The pixels of a row or column that a cell of a grid takes in, and their weights, of sum 1.
+struct Span {
+  int first = 0;
+  std::vector<float> weights;
+};
+
+/// Returns the spans of a grid of `cells` over `pixels`. A pixel at the distance d from the middle
+/// of a cell has the weight 1 - d / r, where r is the greater of a pixel and a cell.
+std::vector<Span> spans_of(int cells, int pixels) {
+  const double step = static_cast<double>(pixels) / cells;
+  const double reach = std::max(1.0, step);
+  std::vector<Span> spans(cells);
+  for (int k = 0; k < cells; ++k) {
+    const double middle = (k + 0.5) * step - 0.5;
+    spans[k].first = std::max(0, static_cast<int>(std::floor(middle - reach)) + 1);
+    const int last = std::min(pixels - 1, static_cast<int>(std::ceil(middle + reach)) - 1);
+    double sum = 0;
+    for (int x = spans[k].first; x <= last; ++x) sum += 1 - std::abs(x - middle) / reach;
+    for (int x = spans[k].first; x <= last; ++x)
+      spans[k].weights.push_back(static_cast<float>((1 - std::abs(x - middle) / reach) / sum));
+  }
+  return spans;
+}
+
+/// Returns a row of a picture on white, with its alpha, at the resolution of a grid.
+ImageF scaled_row(const Image8& rgba, int y, const std::vector<Span>& columns) {
+  ImageF row(static_cast<int>(columns.size()), 1, 4);
+  for (int u = 0; u < row.width; ++u)
+    for (size_t i = 0; i < columns[u].weights.size(); ++i) {
+      const uint8_t* pixel = &rgba.at(columns[u].first + static_cast<int>(i), y);
+      const float alpha = static_cast<float>(pixel[3]) / 255;
+      for (int c = 0; c < 3; ++c)
+        row.at(u, 0, c) +=
+            columns[u].weights[i] * (alpha * static_cast<float>(pixel[c]) / 255 + (1 - alpha));
+      row.at(u, 0, 3) += columns[u].weights[i] * alpha;
     }
-  return means;
+  return row;
+}
+
+/// Scales a picture on white, with its alpha, to a grid.
+ImageF scaled(const Image8& rgba, int width, int height) {
+  const std::vector<Span> columns = spans_of(width, rgba.width);
+  const std::vector<Span> rows = spans_of(height, rgba.height);
+  std::vector<ImageF> scaled_rows(rgba.height);
+  for (int y = 0; y < rgba.height; ++y) scaled_rows[y] = scaled_row(rgba, y, columns);
+  ImageF result(width, height, 4);
+  for (int v = 0; v < height; ++v)
+    for (size_t j = 0; j < rows[v].weights.size(); ++j) {
+      const ImageF& row = scaled_rows[rows[v].first + j];
+      for (size_t i = 0; i < row.pixels.size(); ++i)
+        (&result.at(0, v))[i] += rows[v].weights[j] * row.pixels[i];
+    }
+  return result;
 }
 
 /// Extends an image to the right and below by its last pixels.
@@ -139,20 +173,23 @@ ImageF directions(const ImageF& seen, int width, int height) {
 Result<Perception> perceive(const Image8& rgba, const Network& network) {
   if (!fits(network))
     return Error{ErrorCode::bad_input, "the network has other layers than expected", ""};
-  const double scale = static_cast<double>(longest_side) / std::max(rgba.width, rgba.height);
+  // Enlarged pixels are seen as they were.
+  const int side = square_side(rgba);
+  const Image8 own = with_own_pixels(rgba, side);
+  const double scale = static_cast<double>(longest_side) / std::max(own.width, own.height);
   const auto scaled_to = [scale](int length) {
     return std::max(1, static_cast<int>(std::lround(scale * length)));
   };
-  const int w = scaled_to(rgba.width);
-  const int h = scaled_to(rgba.height);
+  const int w = scaled_to(own.width);
+  const int h = scaled_to(own.height);
   const auto whole = [](int length) { return (length + unit - 1) / unit * unit; };
-  const ImageF seen = apply_layers(network, extended(scaled(rgba, w, h), whole(w), whole(h)));
+  const ImageF seen = apply_layers(network, extended(scaled(own, w, h), whole(w), whole(h)));
   Perception result;
   const int cells_x = (w + 1) / 2;
   const int cells_y = (h + 1) / 2;
   result.figure = probabilities(seen, 0, cells_x, cells_y);
   result.contour = probabilities(seen, 1, cells_x, cells_y);
-  result.cell = 2 / scale;
+  result.cell = 2 * side / scale;
   result.front = {directions(seen, cells_x, cells_y), result.cell};
   return result;
 }

@@ -169,7 +169,11 @@ Result<Completion> order_parts(const Corrections& corrections, const DrawingEvid
   auto evidence = compare_neighbours(regions, *unordered, context);
   if (!evidence) return evidence.error();
   proposal.evidence = std::move(*evidence);
-  for (NeighbourEvidence& pair : proposal.evidence) pair.open = drawing.is_open(pair.a, pair.b);
+  for (NeighbourEvidence& pair : proposal.evidence) {
+    pair.open = drawing.is_open(pair.a, pair.b);
+    const auto front = drawing.front.find({pair.a, pair.b});
+    if (front != drawing.front.end()) pair.front = front->second;
+  }
   const std::vector<LabelPair> user = user_arrows(corrections);
   auto stacking = stack_parts(regions, proposal.evidence, user);
   if (!stacking) return stacking.error();
@@ -314,7 +318,7 @@ Result<Proposal> propose_scene(const Image16& labels, const Corrections& correct
   if (drawing.rim > 0) add_ink(regions, *shapes);
   const std::vector<Outline> outlines = scene_outlines(corrections, regions, *shapes);
   JoinProposals& joining = proposal.joining;
-  joining = propose_joins(regions, outlines, corrections, drawing);
+  joining = propose_joins(regions, outlines, proposal.order, corrections, drawing);
   joining.leans = propose_leans(regions, proposal.order, *shapes, joining.joins);
   std::erase_if(joining.leans, [&](const ProposedLean& lean) {
     return correction_of(corrections, regions.labels[lean.part]).lean.has_value();

@@ -26,7 +26,7 @@ Result<Understanding> understand_drawing(const Image8& rgba, Segmentation segmen
                                          SegmentationRecord known, const Scene& edited,
                                          const RunContext& context) {
   if (!segmentation.labels.empty()) relabel(segmentation, known);
-  DrawingEvidence evidence = measure_evidence(rgba, known.labels);
+  DrawingEvidence evidence = measure_evidence(rgba, known.labels, segmentation.front);
   auto proposed = propose_scene(known.labels, known.corrections, evidence, context);
   if (!proposed) return proposed.error();
   Proposal& proposal = *proposed;

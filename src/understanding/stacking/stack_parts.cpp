@@ -36,11 +36,12 @@ constexpr double least_confidence = 0.01;  ///< cues below are left out
 
 /// Weights of the cues: the log-odds that a cue of 1 adds for its part. They are fitted by logistic
 /// regression to pairs whose order is known (docs/understanding/stacking.md).
-constexpr double shape_weight = 1.6;
-constexpr double contour_weight = 2.5;
-constexpr double junction_weight = 3.5;
-constexpr double bulge_weight = 1.5;
-constexpr double floor_weight = 1.2;
+constexpr double shape_weight = 0.8;
+constexpr double contour_weight = 3.2;
+constexpr double junction_weight = 2;
+constexpr double bulge_weight = 0.5;
+constexpr double floor_weight = 0.4;
+constexpr double front_weight = 1.9;
 /// Regularises the shape cue: the width of a strip along the common boundary, px.
 constexpr double strip_width = 1.5;
 /// Regularises the junction cue: the sum of confidences of junctions that favour neither part.
@@ -66,6 +67,7 @@ struct PairBelief {
   double junctions[2] = {0, 0};  ///< sums of confidences for either part
   double bulge = 0;
   double floor = 0;
+  double front = 0;
   double open = 0;  ///< 1 or -1 where the two have grown together; then no other cue counts
 
   /// Log-odds of the first part being in front.
@@ -73,7 +75,8 @@ struct PairBelief {
     if (open != 0) return open_odds * open;
     const double votes = junctions[0] + junctions[1] + silent_junctions;
     return shape_weight * shape + contour_weight * contour + bulge_weight * bulge +
-           junction_weight * (junctions[0] - junctions[1]) / votes + floor_weight * floor;
+           junction_weight * (junctions[0] - junctions[1]) / votes + floor_weight * floor +
+           front_weight * front;
   }
 };
 
@@ -103,6 +106,7 @@ PairBelief belief_of(const PartRegions& regions, const NeighbourEvidence& pair) 
                  (pair.a_below_b + pair.b_below_a + strip_width * pair.shared);
   belief.contour = (pair.a_shaped ? 1 : 0) - (pair.b_shaped ? 1 : 0);
   belief.floor = stands(b) - stands(a);
+  belief.front = pair.front;
   if (pair.open) belief.open = pixel_count(a) < pixel_count(b) ? 1 : -1;
   return belief;
 }
@@ -212,6 +216,19 @@ std::vector<OrderArrow> find_junction_cues(const PartRegions& regions) {
         for (const PartLabel beyond : {junction.before, junction.after})
           if (beyond != 0) cues.push_back({ring.label, beyond, confidence});
       }
+  return cues;
+}
+
+std::vector<PairCues> measure_cues(const PartRegions& regions,
+                                   const std::vector<NeighbourEvidence>& evidence) {
+  std::vector<PairCues> cues;
+  for (const auto& [pair, belief] : collect(regions, evidence)) {
+    const double votes = belief.junctions[0] + belief.junctions[1] + silent_junctions;
+    cues.push_back({pair.first, pair.second, belief.shape, belief.contour,
+                    (belief.junctions[0] - belief.junctions[1]) / votes, belief.bulge, belief.floor,
+                    belief.front});
+    cues.back().open = belief.open;
+  }
   return cues;
 }
 

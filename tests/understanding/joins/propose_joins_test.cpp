@@ -18,16 +18,21 @@ struct Drawing {
   std::vector<Inside> shapes;
 };
 
-/// Joins with the painted order: part k is in front of part k - 1, and completed.
+/// Joins with the painted order, of that confidence: part k is in front of part k - 1, and
+/// completed.
 JoinProposals join(const Drawing& drawing, const Corrections& corrections = {},
-                   const DrawingEvidence& evidence = {}) {
+                   const DrawingEvidence& evidence = {}, double sure = 1) {
   const PartRegions regions = find_regions(painted(drawing.width, drawing.height, drawing.shapes));
   std::vector<Outline> outlines;
   for (int part = 0; part < regions.count(); ++part) {
     const Image16 alone = painted(drawing.width, drawing.height, {drawing.shapes[part]});
     outlines.push_back(outline_of(find_regions(alone).visible[0]));
   }
-  return propose_joins(regions, outlines, corrections, evidence);
+  std::vector<OrderArrow> order;
+  for (int upper = 0; upper < regions.count(); ++upper)
+    for (int lower = 0; lower < upper; ++lower)
+      order.push_back({regions.labels[upper], regions.labels[lower], sure});
+  return propose_joins(regions, outlines, order, corrections, evidence);
 }
 
 Drawing leg_on_body() { return {220, 200, {box(20, 20, 200, 100), box(90, 60, 130, 180)}}; }
@@ -143,6 +148,22 @@ TEST(JoinParts, WhatNothingHoldsGrowsOutFromBehind) {
   Corrections apart;
   apart.no_joins = {{3, 1}};
   EXPECT_EQ(kinds_at_knee(apart), (std::vector<RelationKind>{RelationKind::above}));
+}
+
+/// A thigh lies in front of a lower leg, with which it is not joined.
+TEST(JoinParts, APartRisesOnlyWhereTheOrderIsSure) {
+  const Drawing leg{
+      220, 360, {box(98, 150, 122, 340), box(10, 10, 210, 100), box(90, 60, 130, 155)}};
+  Corrections apart;
+  apart.no_joins = {{3, 1}};
+  const auto kind_at_knee = [&](double sure) {
+    for (const ProposedRelation& proposed : join(leg, apart, {}, sure).relations)
+      if (proposed.relation.upper == 2 && proposed.relation.lower == 0)
+        return proposed.relation.kind;
+    return RelationKind::free;
+  };
+  EXPECT_EQ(kind_at_knee(1), RelationKind::above);
+  EXPECT_EQ(kind_at_knee(0.1), RelationKind::equal);
 }
 
 TEST(JoinParts, TheUserIsNotOverruled) {

@@ -31,7 +31,7 @@ std::map<int, double> leans_of(const std::vector<Inside>& shapes, double sure = 
     completion.push_back({alone.visible[0], CompletionKind::whole, {}});
     outlines.push_back(outline_of(alone.visible[0]));
   }
-  const std::vector<ProposedJoin> joins = propose_joins(regions, outlines).joins;
+  const std::vector<ProposedJoin> joins = propose_joins(regions, outlines, order).joins;
   std::map<int, double> leans;
   for (const ProposedLean& lean : propose_leans(regions, order, completion, joins)) {
     EXPECT_EQ(lean.lean.y, 0);

@@ -11,6 +11,7 @@
 #include "support/ink_drawing.h"
 #include "understanding/areas/find_basins.h"
 #include "understanding/labels/stroke_pixels.h"
+#include "understanding/perception/built_in_network.h"
 
 namespace relievo::understanding {
 namespace {
@@ -24,7 +25,7 @@ Basins rooms() {
   InkDrawing ink(420, 220);
   ink.line({20, 20}, {400, 20}).line({400, 20}, {400, 200}).line({400, 200}, {20, 200});
   ink.line({20, 200}, {20, 20}).line({140, 20}, {140, 200}).line({260, 20}, {260, 200});
-  return *find_basins(ink.drawing());
+  return *find_basins(ink.drawing(), built_in_network());
 }
 
 /// One room without any wall.
@@ -32,7 +33,7 @@ Basins hall() {
   InkDrawing ink(420, 220);
   ink.line({20, 20}, {400, 20}).line({400, 20}, {400, 200}).line({400, 200}, {20, 200});
   ink.line({20, 200}, {20, 20});
-  return *find_basins(ink.drawing());
+  return *find_basins(ink.drawing(), built_in_network());
 }
 
 TEST(LabelBasins, ProposalsAreKeptWhereNobodyDraws) {
@@ -81,7 +82,7 @@ Basins dumb_bell() {
   ink.line({320, 95}, {320, 20}).line({320, 20}, {500, 20}).line({500, 20}, {500, 220});
   ink.line({500, 220}, {320, 220}).line({320, 220}, {320, 145}).line({320, 145}, {200, 145});
   ink.line({200, 145}, {200, 220}).line({200, 220}, {20, 220}).line({20, 220}, {20, 20});
-  return *find_basins(ink.drawing());
+  return *find_basins(ink.drawing(), built_in_network());
 }
 
 TEST(LabelBasins, MorePartsDivideAnAreaWhereItIsNarrow) {
@@ -190,10 +191,11 @@ TEST(LabelBasins, CompleteStrokesTakeAreasOfTheirColour) {
     for (int x = 145; x < 395; ++x)
       if (x < 255 || x > 265) drawing.rgba.at(x, y, 2) = 60;
   const Result<Segmentation> s =
-      label_basins(*find_basins(drawing), {{"white", "yellow"},
-                                           {stroke(ScribbleKind::hard, 0, {{80, 60}, {80, 160}}),
-                                            stroke(ScribbleKind::hard, 1, {{330, 110}})},
-                                           true});
+      label_basins(*find_basins(drawing, built_in_network()),
+                   {{"white", "yellow"},
+                    {stroke(ScribbleKind::hard, 0, {{80, 60}, {80, 160}}),
+                     stroke(ScribbleKind::hard, 1, {{330, 110}})},
+                    true});
   ASSERT_TRUE(s.ok());
   ASSERT_EQ(s->parts.size(), 2U);
   EXPECT_EQ(s->labels.at(200, 110), 2);
@@ -266,14 +268,14 @@ TEST(FindBasins, StopsBetweenAnyTwoSteps) {
     last = fraction;
     ++steps;
   };
-  ASSERT_TRUE(find_basins(drawing, count).ok());
+  ASSERT_TRUE(find_basins(drawing, built_in_network(), count).ok());
   EXPECT_EQ(last, 1);
   for (int stop = 0; stop + 1 < steps; ++stop) {
     std::atomic<bool> cancel = false;
     RunContext context{&cancel};
     int left = stop;
     context.progress = [&](const char*, double) { cancel = left-- == 0 || cancel; };
-    const auto basins = find_basins(drawing, context);
+    const auto basins = find_basins(drawing, built_in_network(), context);
     ASSERT_FALSE(basins.ok()) << stop;
     EXPECT_EQ(basins.error().code, ErrorCode::interrupted);
   }

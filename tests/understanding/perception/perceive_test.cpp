@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "kernel/image/enlarge.h"
 #include "support/ink_drawing.h"
 #include "understanding/perception/built_in_network.h"
 
@@ -62,6 +63,15 @@ TEST(Perceive, CoversSmallAndLargePictures) {
     EXPECT_LE(seen->figure.width, 256);
     EXPECT_LE(seen->figure.height, 256);
   }
+}
+
+TEST(Perceive, SeesEnlargedPixelsAsTheyWere) {
+  const Image8 small = InkDrawing(60, 40).disc({25, 20}, 15, 90, 140, 220).drawing().rgba;
+  const auto seen = perceive(small, built_in_network());
+  const auto large = perceive(enlarged(small, 5), built_in_network());
+  ASSERT_TRUE(seen && large);
+  EXPECT_EQ(large->figure.pixels, seen->figure.pixels);
+  EXPECT_DOUBLE_EQ(large->cell, 5 * seen->cell);
 }
 
 TEST(Perceive, InterpolatesLinearly) {

@@ -42,7 +42,11 @@ class DrawingReader {
 
   private made: Engine | null = null;
 
-  constructor(private readonly editor: Editor, private readonly make: () => Engine) {}
+  constructor(
+    private readonly editor: Editor,
+    private readonly make: () => Engine,
+    private readonly network: () => Promise<Uint8Array>,
+  ) {}
 
   /** The worker. It starts on first use. */
   get engine(): Engine {
@@ -55,7 +59,7 @@ class DrawingReader {
     if (!drawing) throw new Error('no drawing');
     if (this.opened !== drawing) {
       this.opened = drawing;
-      this.opening = this.engine.openDrawing(this.flat(document, drawing));
+      this.opening = this.open(this.flat(document, drawing));
     }
     try {
       const opened = await this.opening;
@@ -65,6 +69,13 @@ class DrawingReader {
       this.opened = null;
       throw error;
     }
+  }
+
+  private async open(drawing: FlatDrawing): Promise<object | Failure> {
+    const network = await this.network().catch(() => null);
+    if (network) return await this.engine.openDrawing(drawing, network);
+    this.opened = null;
+    return { error: { code: 'file', message: 'a part of the editor could not be loaded; check the connection and try again', where: '' } };
   }
 
   private flat({ width, height }: Document, drawing: DrawingSource): FlatDrawing {
@@ -93,9 +104,10 @@ export class SegmentControl {
   private reordered: Document | null = null;
   private tinted: { drawing: DrawingSource; scribbles: Scribbles; corrections: Corrections } | null = null;
 
-  constructor(private readonly editor: Editor, start: () => Engine) {
-    this.labeller = new DrawingReader(editor, start);
-    this.thinker = new DrawingReader(editor, start);
+  /** `network` loads the weights that the core perceives flat drawings with. */
+  constructor(private readonly editor: Editor, start: () => Engine, network: () => Promise<Uint8Array>) {
+    this.labeller = new DrawingReader(editor, start, network);
+    this.thinker = new DrawingReader(editor, start, network);
     editor.subscribe(() => {
       this.followOrder();
       this.followStrokes();

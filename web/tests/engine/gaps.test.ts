@@ -8,7 +8,7 @@ import { adopt, questionOf } from '../../document/scribbling';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, temporaryFolder } from '../support/command_line';
 import { openRing, openRingSize } from '../support/pictures';
-import { must, startService } from './service';
+import { must, network, startService } from './service';
 
 const [width, height] = openRingSize;
 const png = openRing();
@@ -18,7 +18,7 @@ const temporary = temporaryFolder();
 let service: ReliefService;
 beforeAll(async () => {
   service = await startService();
-  must(service.openDrawing({ png }));
+  must(service.openDrawing({ png }, network));
 });
 
 function understood(document: Document): Document {

@@ -22,6 +22,9 @@ export function must<T extends object>(value: T | Failure): T {
   return value;
 }
 
+/** The weights that flat drawings are perceived with. */
+export const network = new Uint8Array(readFileSync(join(root, 'src/understanding/perception/network.bin')));
+
 export async function startService(): Promise<ReliefService> {
   const bytes = readFileSync(join(root, 'build/wasm/bindings/wasm/relievo.wasm'));
   return ReliefService.start(await WebAssembly.compile(bytes));

@@ -4,6 +4,7 @@ import { unzipSync } from 'fflate';
 import { expect, it } from 'vitest';
 import { relievo, root } from '../support/command_line.ts';
 import { gesture, names, oval, save, type Spot } from './actions.ts';
+import { pngOf } from '../support/pictures.ts';
 import { picture, pictures, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
@@ -21,9 +22,20 @@ async function project(): Promise<Project> {
   return { scene: read('scene.json') as Project['scene'], corrections: segmentation.corrections };
 }
 
+/** A head on a body, of two colours each, on feet: nothing tells which half is in front. */
+function figure(): Uint8Array {
+  const inside = (x: number, y: number, at: Spot, radii: Spot): boolean => Math.hypot((x - at[0]) / radii[0], (y - at[1]) / radii[1]) < 1;
+  return pngOf(600, 600, (x, y) => {
+    if (inside(x, y, [220, 540], [50, 40]) || inside(x, y, [380, 540], [50, 40])) return [120, 80, 40, 255];
+    if (inside(x, y, [300, 170], [110, 100])) return x > 300 ? [210, 80, 110, 255] : [230, 190, 120, 255];
+    if (inside(x, y, [300, 380], [150, 170])) return x > 300 ? [90, 140, 200, 255] : [200, 120, 60, 255];
+    return [255, 255, 255, 255];
+  });
+}
+
 it('asks about uncertain guesses one at a time, and accepts an answer or undoes it', async () => {
   const { page } = stage;
-  await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
+  await page.setInputFiles('input[type=file]', { name: 'figure.png', mimeType: 'image/png', buffer: Buffer.from(figure()) });
   await page.waitForSelector('.parts li');
   await page.waitForSelector('.scribble-bar[data-tint-ms]');
   await settled(page);
