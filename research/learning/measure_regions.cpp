@@ -1,7 +1,7 @@
-// Writes what is measured of neighbouring regions of pictures, and whether they are one part:
-// relievo-pairs < LIST. Each line of the list has a picture and a grey PNG file with the true part
-// of each pixel, 0 outside the figure, separated by a tab. Each line of the output has the
-// picture's number, the weight of the pair, 1 where it is one part, and its features.
+// Measures the regions of pictures whose parts are known: relievo-regions < LIST. Each line of the
+// list has a picture and a grey PNG file with the true part of each pixel, 0 outside the figure,
+// separated by a tab. Each line of the output has "pair" or "region", the picture's number, a
+// weight, 1 where the pair is one part or the region belongs to the figure, and the features.
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,7 @@
 #include "relievo/files.h"
 #include "understanding/areas/find_basins.h"
 #include "understanding/areas/region_features.h"
-#include "understanding/completion/complete_parts.h"
-#include "understanding/labels/drawing_evidence.h"
 #include "understanding/perception/built_in_network.h"
-#include "understanding/stacking/stack_parts.h"
 
 namespace relievo {
 namespace {
@@ -76,7 +73,7 @@ void write_drawing(int picture, const Basins& basins, Overlaps overlaps) {
   RegionMerging regions(basins);
   const DrawingMeasure drawing = measure_drawing(basins);
   write_regions(picture, regions, drawing, overlaps);
-  Merger merger(regions, [&](int a, int b) -> std::pair<double, int64_t> {
+  Merger merger(regions, [&](int a, int b) {
     const auto [part_a, purity_a] = part_of(overlaps[a]);
     const auto [part_b, purity_b] = part_of(overlaps[b]);
     const PairFeatures features = features_of(regions, drawing, a, b);
@@ -85,36 +82,11 @@ void write_drawing(int picture, const Basins& basins, Overlaps overlaps) {
     const double purity = std::min(purity_a, purity_b);
     const double weight = purity * purity * std::min(1.0, std::sqrt(20 * smaller / drawing.figure));
     write_row("pair", picture, weight, part_a == part_b, features);
-    return {part_a == part_b ? 1 - features[static_cast<size_t>(PairFeature::near_contour)] : -1,
-            0};
+    return part_a == part_b ? 1 - features[static_cast<size_t>(PairFeature::near_contour)] : -1;
   });
   while (const auto united = merger.unite_next())
     for (const auto& [part, pixels] : overlaps[united->b]) overlaps[united->a][part] += pixels;
   write_regions(picture, regions, drawing, overlaps);
-}
-
-/// Writes the cues of pairs of true parts.
-void write_pairs_in_order(int picture, const Image8& rgba, const Basins& basins,
-                          const Image16& truth) {
-  Image16 labels(rgba.width, rgba.height, 1);
-  for (int y = 0; y < labels.height; ++y)
-    for (int x = 0; x < labels.width; ++x)
-      labels.at(x, y) = truth.at(static_cast<int>((x + 0.5) * truth.width / labels.width),
-                                 static_cast<int>((y + 0.5) * truth.height / labels.height));
-  const DrawingEvidence drawing = measure_evidence(rgba, labels, basins.front);
-  const PartRegions regions = find_regions(labels, drawing.rim);
-  if (regions.count() == 0) return;
-  const auto whole = complete_parts(regions, all_others(regions));
-  auto evidence = compare_neighbours(regions, *whole);
-  for (NeighbourEvidence& pair : *evidence) {
-    const auto front = drawing.front.find({pair.a, pair.b});
-    if (front != drawing.front.end()) pair.front = front->second;
-    pair.open = drawing.is_open(pair.a, pair.b);
-  }
-  for (const PairCues& c : measure_cues(regions, *evidence))
-    write_row("order", picture, 1, false,
-              std::array<double, 9>{double(c.a), double(c.b), c.shape, c.contour, c.junctions,
-                                    c.bulge, c.floor, c.front, c.open});
 }
 
 /// Returns false where a file cannot be read.
@@ -127,7 +99,6 @@ bool add_picture(int number, const std::string& picture, const std::string& trut
   if (!decoded || !parts) return false;
   const Drawing drawing{std::move(decoded->rgba)};
   const auto basins = find_basins(drawing, built_in_network());
-  if (basins) write_pairs_in_order(number, drawing.rgba, *basins, *parts);
   if (basins) write_drawing(number, *basins, overlaps_of(*basins, *parts));
   return true;
 }

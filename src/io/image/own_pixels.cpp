@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "kernel/image/enlarge.h"
@@ -19,10 +18,6 @@ constexpr double on_segment = 0.03;   ///< squared distance of blends from the m
 constexpr double least_portion = 0.1;  ///< of either side in a blend
 
 using WeightedColour = std::array<double, 4>;
-
-bool is_same(const uint8_t* a, const uint8_t* b) {
-  return (a[3] == 0 && b[3] == 0) || std::memcmp(a, b, 4) == 0;
-}
 
 /// A picture with one pixel for each square.
 struct Squares {
@@ -46,7 +41,7 @@ bool has_few_colours(const Squares& squares) {
   for (int y = 0; y < squares.height(); ++y)
     for (int x = 0; x < squares.width() && colours.size() <= most_colours; ++x) {
       const auto is_like = [p = squares.at(x, y)](const std::array<uint8_t, 4>& known) {
-        return is_same(p, known.data());
+        return is_same_colour(p, known.data());
       };
       if (std::any_of(colours.begin(), colours.end(), is_like)) continue;
       const uint8_t* p = squares.at(x, y);

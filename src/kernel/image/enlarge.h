@@ -15,8 +15,10 @@ inline int enlargement(int width, int height) {
   return (small_side + longest - 1) / longest;
 }
 
-/// Returns the largest side of squares of one colour that make a picture (RGBA). Transparent pixels
-/// have one colour. O(pixels).
+/// Returns whether two pixels (RGBA) have one colour. Transparent ones do.
+bool is_same_colour(const uint8_t* a, const uint8_t* b);
+
+/// Returns the largest side of squares of one colour that make a picture (RGBA). O(pixels).
 int square_side(const Image8& rgba);
 
 /// Enlarges an image by whole pixels: each becomes a square of times x times equal ones.

@@ -24,9 +24,6 @@ struct Basin {
   int64_t figure = 0;                      ///< sum of Perception::figure over its pixels
 };
 
-/// Returns whether a basin belongs to the figure rather than to its surroundings.
-inline bool is_in_figure(const Basin& basin) { return basin.figure > 127 * basin.area; }
-
 /// Computes the mean colour of a basin, of 255 a channel. Precondition: basin.coloured > 0.
 inline std::array<double, 3> mean_colour(const Basin& basin) {
   std::array<double, 3> mean = {};
@@ -79,7 +76,6 @@ struct Basins {
   Image8 near_contour;               ///< the greatest of those nearby
   FrontMap front;                    ///< see Perception
   double line_width = 1;             ///< px
-  bool painted = false;              ///< see LineMap
   bool cut_out = false;              ///< see is_cut_out
   std::vector<int> region;           ///< [#B] proposed region: 0 background, else 1 ... #R
   int region_count = 0;              ///< #R

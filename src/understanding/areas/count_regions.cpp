@@ -20,10 +20,10 @@ constexpr double smallest_piece = 0.01;  ///< least area of a piece that is divi
 /// or in 0, stay apart.
 Merger unite_likeliest(RegionMerging& regions, const DrawingMeasure& drawing,
                        const std::vector<int>& group) {
-  return Merger(regions, [&regions, &group, drawing](int a, int b) -> std::pair<double, int64_t> {
-    if (group[a] == 0 || group[a] != group[b]) return {-1, 0};
+  return Merger(regions, [&regions, &group, drawing](int a, int b) {
+    if (group[a] == 0 || group[a] != group[b]) return -1.0;
     // The probability, which orders pairs as their odds do and is positive.
-    return {1 / (1 + exact::exp(-one_part_odds(regions, drawing, a, b))), 0};
+    return 1 / (1 + exact::exp(-one_part_odds(regions, drawing, a, b)));
   });
 }
 
@@ -77,7 +77,7 @@ std::vector<Node> unite_basins(const Basins& basins) {
     const int left = node[united->a];
     const int right = node[united->b];
     node[united->a] = static_cast<int>(nodes.size());
-    nodes.push_back({left, right, nodes[left].area + nodes[right].area, united->worth.first});
+    nodes.push_back({left, right, nodes[left].area + nodes[right].area, united->worth});
   }
   return nodes;
 }

@@ -104,7 +104,6 @@ Result<Basins> find_basins(const Drawing& drawing, const Network& network,
   basins.ink = std::move(map.ink);
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
-  basins.painted = map.painted;
   measure_basins(rgba, rgb, basins);
   propose_regions(basins);
   if (cut_necks(basins)) measure_basins(rgba, rgb, basins);

@@ -17,9 +17,7 @@ constexpr double least_inradius = 1.5;    ///< least inradius of a part, px
 
 /// Unites neighbours that are likelier one part than two, the likeliest first.
 void unite_parts(RegionMerging& regions, const DrawingMeasure& drawing) {
-  Merger merger(regions, [&](int a, int b) -> std::pair<double, int64_t> {
-    return {one_part_odds(regions, drawing, a, b), 0};
-  });
+  Merger merger(regions, [&](int a, int b) { return one_part_odds(regions, drawing, a, b); });
   while (merger.unite_next()) {
   }
 }

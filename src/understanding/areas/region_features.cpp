@@ -104,7 +104,9 @@ PairFeatures features_of(const RegionMerging& regions, const DrawingMeasure& dra
           mean(border.edge_pairs),
           mean(border.ink) / 255,
           regions.colour_step(a, b),
-          regions.colour_distance(a, b),
+          smaller.coloured > 0 && larger.coloured > 0
+              ? distance_of_colours(mean_colour(smaller), mean_colour(larger))
+              : 0,
           log_area(smaller),
           log_area(larger),
           length / length_of_border(regions, a),

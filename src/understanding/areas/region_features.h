@@ -6,7 +6,7 @@
 
 namespace relievo::understanding {
 
-/// What is measured of two neighbouring regions, of which the first is the smaller one. The tables
+/// The measures of two neighbouring regions, of which the first is the smaller one. The tables
 /// that research/learning/regions.py writes depend on this order.
 enum class PairFeature {
   contour,        ///< mean probability of a contour on their border
@@ -29,7 +29,7 @@ enum class PairFeature {
   count
 };
 
-/// What is measured of a region, likewise.
+/// The measures of a region, likewise.
 enum class RegionFeature {
   figure,    ///< mean probability that a pixel belongs to the figure
   around,    ///< the same beyond its border

@@ -66,15 +66,6 @@ double RegionMerging::colour_step(int a, int b) const {
   return std::sqrt(sum) / static_cast<double>(border.pairs);
 }
 
-double RegionMerging::colour_distance(int a, int b) const {
-  if (regions_[a].coloured == 0 || regions_[b].coloured == 0) return 0;
-  const std::array<double, 3> x = mean_colour(regions_[a]);
-  const std::array<double, 3> y = mean_colour(regions_[b]);
-  double sum = 0;
-  for (size_t c = 0; c < 3; ++c) sum += (x[c] - y[c]) * (x[c] - y[c]);
-  return std::sqrt(sum);
-}
-
 Merger::Merger(RegionMerging& regions, Worth worth) : regions_(regions), worth_(std::move(worth)) {
   for (int a = 0; a < regions.count(); ++a)
     for (const auto& [b, border] : regions.borders(a))
@@ -98,8 +89,8 @@ std::optional<Merger::Union> Merger::unite_next() {
 
 void Merger::propose(int a, int b) {
   const auto [low, high] = std::minmax(a, b);
-  const std::pair<double, int64_t> worth = worth_(a, b);
-  if (worth.first >= 0) queue_.push({worth, low, high});
+  const double worth = worth_(a, b);
+  if (worth >= 0) queue_.push({worth, low, high});
 }
 
 }  // namespace relievo::understanding

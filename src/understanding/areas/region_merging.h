@@ -33,11 +33,8 @@ class RegionMerging {
   /// Unites two regions and returns the united one. O(borders of the one with fewer, log).
   int unite(int a, int b);
 
-  /// Computes the Euclidean distance of mean colours, of 255 a channel; 0 where one has no colour.
-  double colour_distance(int a, int b) const;
-
-  /// Computes the same distance from the colours close to the border. It is small between areas
-  /// that differ since light changes across both.
+  /// Computes the Euclidean distance of the mean colours close to the border, of 255 a channel. It
+  /// is small between areas that differ since light changes across both.
   double colour_step(int a, int b) const;
 
  private:
@@ -49,13 +46,12 @@ class RegionMerging {
 /// Unites neighbouring regions in the order of their worth, the greatest first.
 class Merger {
  public:
-  /// Returns what uniting two neighbours is worth, and a second number that decides between equal
-  /// worths. Where the worth is negative they stay apart.
-  using Worth = std::function<std::pair<double, int64_t>(int, int)>;
+  /// Returns the worth of uniting two neighbours. Where it is negative they stay apart.
+  using Worth = std::function<double(int, int)>;
 
   /// Two united regions, by their smallest basins, a < b; now they are region a.
   struct Union {
-    std::pair<double, int64_t> worth;
+    double worth = 0;
     int a = 0;
     int b = 0;
     friend bool operator<(const Union& p, const Union& q) {

@@ -121,13 +121,8 @@ double rim_width(const Image8& rgba, const Image16& labels,
   return slant * median(counts) / 2;
 }
 
-}  // namespace
-
-bool DrawingEvidence::is_open(PartLabel a, PartLabel b) const {
-  return std::binary_search(open.begin(), open.end(),
-                            std::pair<PartLabel, PartLabel>(std::minmax(a, b)));
-}
-
+/// Measures how far labels are seen in front of their neighbours (see DrawingEvidence::front): the
+/// mean, over the pixel sides of their border, of the way to the front across them. O(pixels).
 std::map<std::pair<PartLabel, PartLabel>, double> measure_front(const Image16& labels,
                                                                 const FrontMap& front) {
   std::map<std::pair<PartLabel, PartLabel>, std::pair<double, int>> sums;
@@ -153,6 +148,18 @@ std::map<std::pair<PartLabel, PartLabel>, double> measure_front(const Image16& l
   std::map<std::pair<PartLabel, PartLabel>, double> means;
   for (const auto& [pair, sum] : sums) means[pair] = sum.first / sum.second;
   return means;
+}
+
+}  // namespace
+
+bool DrawingEvidence::is_open(PartLabel a, PartLabel b) const {
+  return std::binary_search(open.begin(), open.end(),
+                            std::pair<PartLabel, PartLabel>(std::minmax(a, b)));
+}
+
+double DrawingEvidence::front_of(PartLabel a, PartLabel b) const {
+  const auto found = front.find({a, b});
+  return found != front.end() ? found->second : 0;
 }
 
 DrawingEvidence measure_evidence(const Image8& rgba, const Image16& labels, const FrontMap& front) {

@@ -28,15 +28,12 @@ struct DrawingEvidence {
   std::map<std::pair<PartLabel, PartLabel>, double> front;
 
   bool is_open(PartLabel a, PartLabel b) const;
+  /// Returns `front` of two labels, the smaller first; 0 where unknown.
+  double front_of(PartLabel a, PartLabel b) const;
 };
 
 /// Measures the evidence. `rgba` has the size of `labels`. O(pixels).
 DrawingEvidence measure_evidence(const Image8& rgba, const Image16& labels,
                                  const FrontMap& front = {});
-
-/// Measures how far labels are seen in front of their neighbours (see DrawingEvidence::front): the
-/// mean, over the pixel sides of their border, of the way to the front across them. O(pixels).
-std::map<std::pair<PartLabel, PartLabel>, double> measure_front(const Image16& labels,
-                                                                const FrontMap& front);
 
 }  // namespace relievo::understanding

@@ -143,9 +143,8 @@ void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& s
         "the parts cover nearly the whole picture: mark its background with an outside stroke");
   if (covered < nearly_nothing)
     segmentation.notes.push_back(
-        "the parts cover very little of the picture: crop it to the figure, or mark each part with "
-        "a "
-        "stroke");
+        "the parts cover very little of the picture: crop it to the figure, or mark each part "
+        "with a stroke");
   if (basins.unbounded_ink > much_unbounded)
     segmentation.notes.push_back(
         "many lines bound no area and became tubes; if they are outlines with wide gaps, mark each "

@@ -10,6 +10,12 @@
 namespace relievo::understanding {
 namespace {
 
+/// Minimum share of the picture's border that is pure white for a figure, such as a bust, that the
+/// border cuts off.
+constexpr double bust_share = 0.6;
+/// Share of its box that a figure fills at most; a picture in a frame fills more.
+constexpr double framed_share = 0.9;
+
 constexpr int pure_white = 254;  ///< least darkest channel of pure white, of 255
 
 }  // namespace

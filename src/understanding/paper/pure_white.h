@@ -4,13 +4,6 @@
 
 namespace relievo::understanding {
 
-/// Minimum share of the picture's border that is pure white for a figure, such as a bust, that the
-/// border cuts off.
-constexpr double bust_share = 0.6;
-
-/// Share of its box that a figure fills at most; a picture in a frame fills more.
-constexpr double framed_share = 0.9;
-
 /// Returns whether a drawing (4 channels) lies on transparency or on pure white, which no scanner
 /// and no camera gives: then every other colour is paint. False where the paint fills its box, as a
 /// photograph in a white frame does. O(pixels).

@@ -175,7 +175,8 @@ Result<Perception> perceive(const Image8& rgba, const Network& network) {
     return Error{ErrorCode::bad_input, "the network has other layers than expected", ""};
   // Enlarged pixels are seen as they were.
   const int side = square_side(rgba);
-  const Image8 own = with_own_pixels(rgba, side);
+  const Image8 reduced = side > 1 ? with_own_pixels(rgba, side) : Image8();
+  const Image8& own = side > 1 ? reduced : rgba;
   const double scale = static_cast<double>(longest_side) / std::max(own.width, own.height);
   const auto scaled_to = [scale](int length) {
     return std::max(1, static_cast<int>(std::lround(scale * length)));

@@ -171,8 +171,7 @@ Result<Completion> order_parts(const Corrections& corrections, const DrawingEvid
   proposal.evidence = std::move(*evidence);
   for (NeighbourEvidence& pair : proposal.evidence) {
     pair.open = drawing.is_open(pair.a, pair.b);
-    const auto front = drawing.front.find({pair.a, pair.b});
-    if (front != drawing.front.end()) pair.front = front->second;
+    pair.front = drawing.front_of(pair.a, pair.b);
   }
   const std::vector<LabelPair> user = user_arrows(corrections);
   auto stacking = stack_parts(regions, proposal.evidence, user);

@@ -219,19 +219,6 @@ std::vector<OrderArrow> find_junction_cues(const PartRegions& regions) {
   return cues;
 }
 
-std::vector<PairCues> measure_cues(const PartRegions& regions,
-                                   const std::vector<NeighbourEvidence>& evidence) {
-  std::vector<PairCues> cues;
-  for (const auto& [pair, belief] : collect(regions, evidence)) {
-    const double votes = belief.junctions[0] + belief.junctions[1] + silent_junctions;
-    cues.push_back({pair.first, pair.second, belief.shape, belief.contour,
-                    (belief.junctions[0] - belief.junctions[1]) / votes, belief.bulge, belief.floor,
-                    belief.front});
-    cues.back().open = belief.open;
-  }
-  return cues;
-}
-
 Result<Stacking> stack_parts(const PartRegions& regions,
                              const std::vector<NeighbourEvidence>& evidence,
                              const std::vector<Pair>& user_arrows) {

@@ -24,32 +24,15 @@ std::vector<OrderArrow> find_bulges(const PartRegions& regions);
 /// confidence (see t_junction_confidence) of at least 0.01. O(sides).
 std::vector<OrderArrow> find_junction_cues(const PartRegions& regions);
 
-/// The cues of a pair of parts that tell which is in front; signed ones are positive where the
-/// first is.
-struct PairCues {
-  PartLabel a = 0;
-  PartLabel b = 0;
-  double shape = 0;
-  double contour = 0;
-  double junctions = 0;
-  double bulge = 0;
-  double floor = 0;
-  double front = 0;  ///< see NeighbourEvidence
-  double open = 0;   ///< 1 or -1 where the two have grown together; then no other cue counts
-};
-
-/// Measures the cues of all pairs. O(sides).
-std::vector<PairCues> measure_cues(const PartRegions& regions,
-                                   const std::vector<NeighbourEvidence>& evidence);
-
-/// Orders parts, which are in the order of their labels, in depth. Five cues, each in [-1, 1], tell
+/// Orders parts, which are in the order of their labels, in depth. Six cues, each in [-1, 1], tell
 /// which of two neighbours is in front:
 ///  - shape: the other extends further below it, (gain_other - gain_own) / (sum + 1.5 px * length);
 ///  - contour: the common boundary fits the rest of its contour and not that of the other;
 ///  - junctions: its contour runs straight through points where three regions meet more often than
 ///    the other's;
 ///  - bulge: it bulges into the other;
-///  - floor: the other reaches down to where the figure ends, and it does not.
+///  - floor: the other reaches down to where the figure ends, and it does not;
+///  - front: the network sees it in front (see NeighbourEvidence::front).
 /// A logistic model of the cues gives the probability p; the likelier direction becomes an arrow
 /// with the confidence 2 p - 1. Cycles are broken at the least confident guess. `user_arrows` (in
 /// front, behind) replace guesses between their parts and are always kept. Errors: `contradiction`

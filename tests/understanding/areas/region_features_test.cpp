@@ -83,9 +83,7 @@ TEST(Merger, StopsWhereAllNeighboursAreLikelierTwoParts) {
   const Basins basins = busy_basins();
   const DrawingMeasure drawing = measure_drawing(basins);
   RegionMerging regions(basins);
-  Merger merger(regions, [&](int a, int b) -> std::pair<double, int64_t> {
-    return {one_part_odds(regions, drawing, a, b), 0};
-  });
+  Merger merger(regions, [&](int a, int b) { return one_part_odds(regions, drawing, a, b); });
   int unions = 0;
   while (merger.unite_next()) ++unions;
   EXPECT_GT(unions, 0);
