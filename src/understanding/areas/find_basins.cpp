@@ -12,6 +12,7 @@
 #include "understanding/areas/cut_necks.h"
 #include "understanding/areas/divide_at_cut.h"
 #include "understanding/areas/propose_regions.h"
+#include "understanding/areas/settle_edges.h"
 #include "understanding/lines/colour_edges.h"
 #include "understanding/lines/line_gaps.h"
 #include "understanding/lines/line_map.h"
@@ -100,6 +101,7 @@ Result<Basins> find_basins(const Drawing& drawing, const Network& network,
   if (basins.basins.empty())
     return Error{ErrorCode::bad_input, "the drawing has no areas between its lines", ""};
   if (!go_on(context, 0.9)) return interrupted_error();
+  settle_edges(rgb, map.barrier, basins.index);
   if (basins.cut_out) divide_at_cut(rgba, static_cast<int>(basins.basins.size()), basins.index);
   basins.ink = std::move(map.ink);
   basins.barrier = std::move(map.barrier);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -19,7 +20,6 @@ constexpr double contour_reach = 0.8;  ///< largest width of an outline's outer 
 constexpr double speck_length = 3;     ///< line widths, length up to which ink is a speck
 // Lengths below are per diagonal of the figure.
 constexpr double tube_length = 0.03;    ///< least length of a tube
-constexpr double apart_length = 0.08;   ///< least length of a tube that touches no part
 constexpr double thinnest_tube = 0.01;  ///< least width of a tube
 /// Share of the ink in areas that strokes made background above which it is their outline.
 constexpr double outline_share = 0.2;
@@ -145,19 +145,12 @@ class InkTaker {
            outline_share * static_cast<double>(piece.pixels.size());
   }
 
-  bool crosses_the_picture(const LooseInk& piece) const {
-    return (piece.box.min.x < 2 && piece.box.max.x > labels_.width - 2) ||
-           (piece.box.min.y < 2 && piece.box.max.y > labels_.height - 2);
-  }
-
-  /// Returns whether a piece runs along the picture's edge, as lines beside a page do.
-  bool lies_along_edge(const LooseInk& piece) const {
-    const auto at_edge = std::count_if(piece.pixels.begin(), piece.pixels.end(), [&](int32_t i) {
-      const int x = i % labels_.width;
-      const int y = i / labels_.width;
-      return x == 0 || y == 0 || x == labels_.width - 1 || y == labels_.height - 1;
-    });
-    return static_cast<double>(at_edge) > 0.5 * distance(piece.box.min, piece.box.max);
+  /// Returns whether a piece is likelier part of the surroundings than of the figure.
+  bool is_surroundings(const LooseInk& piece) const {
+    const auto total =
+        std::accumulate(piece.pixels.begin(), piece.pixels.end(), int64_t{0},
+                        [this](int64_t sum, int32_t i) { return sum + basins_.figure.pixels[i]; });
+    return total < 128 * static_cast<int64_t>(piece.pixels.size());
   }
 
   /// Makes a piece a tube, part of another part, or background.
@@ -165,12 +158,10 @@ class InkTaker {
     const auto scribbled = divide(piece, strokes);
     for (const auto& [label, pixels] : scribbled)
       if (label > 0) lay_tube(pixels, label, diagonal);
-    if (!scribbled.empty() || crosses_the_picture(piece) || lies_along_edge(piece) ||
-        bounds_background(piece))
-      return;
+    if (!scribbled.empty() || is_surroundings(piece) || bounds_background(piece)) return;
     const double extent = distance(piece.box.min, piece.box.max);
     const bool speck = extent < std::max(speck_length * basins_.line_width, tube_length * diagonal);
-    if (!speck && (piece.beside != 0 || extent >= apart_length * diagonal))
+    if (!speck)
       lay_tube(piece.pixels, ++last_label_, diagonal);
     else if (piece.beside != 0)
       for (const int32_t i : piece.pixels) labels_.pixels[i] = piece.beside;

@@ -21,10 +21,11 @@ constexpr double much_unbounded = 0.2;   ///< share of unbounded ink above which
 constexpr int many_parts = 40;           ///< number of parts above which there is a note
 constexpr double nearly_all = 0.95;      ///< share of the picture, above which parts get a note
 constexpr double nearly_nothing = 0.03;  ///< the same, below
-constexpr size_t most_parts = 65534;     ///< limit of 16-bit labels
-constexpr int most_count = 1000;         ///< largest Scribbles::count
-constexpr double farthest = 1e6;         ///< px, largest coordinate of a stroke
-constexpr double widest_stroke = 1000;   ///< px
+constexpr double most_of_edge = 0.5;  ///< share of the picture's edge, above which parts get a note
+constexpr size_t most_parts = 65534;  ///< limit of 16-bit labels
+constexpr int most_count = 1000;      ///< largest Scribbles::count
+constexpr double farthest = 1e6;      ///< px, largest coordinate of a stroke
+constexpr double widest_stroke = 1000;  ///< px
 
 Error bad_stroke(size_t number, const std::string& what) {
   const Culprit stroke{CulpritList::strokes, number};
@@ -129,6 +130,16 @@ double covered_share(const Segmentation& segmentation) {
   return static_cast<double>(area) / static_cast<double>(segmentation.labels.pixels.size());
 }
 
+/// Computes the share of the picture's edge that the parts cover.
+double covered_edge(const Image16& labels) {
+  const int w = labels.width;
+  const int h = labels.height;
+  int covered = 0;
+  for (int x = 0; x < w; ++x) covered += (labels.at(x, 0) != 0) + (labels.at(x, h - 1) != 0);
+  for (int y = 0; y < h; ++y) covered += (labels.at(0, y) != 0) + (labels.at(w - 1, y) != 0);
+  return covered / (2.0 * (w + h));
+}
+
 void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& segmentation) {
   std::set<std::string> present;
   for (const SegmentedPart& part : segmentation.parts) present.insert(part.id);
@@ -138,9 +149,9 @@ void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& s
                                    "\": draw a hard stroke inside it");
   if (!scribbles.strokes.empty()) return;
   const double covered = covered_share(segmentation);
-  if (covered > nearly_all)
+  if (covered > nearly_all || covered_edge(segmentation.labels) > most_of_edge)
     segmentation.notes.push_back(
-        "the parts cover nearly the whole picture: mark its background with an outside stroke");
+        "the parts reach most of the picture's edge: mark its background with an outside stroke");
   if (covered < nearly_nothing)
     segmentation.notes.push_back(
         "the parts cover very little of the picture: crop it to the figure, or mark each part "
