@@ -2,7 +2,6 @@
 
 import manners
 import numpy as np
-from PIL import Image, ImageChops, ImageDraw
 from scipy import ndimage
 
 LEAST_PART = 0.004  # of the figure's area; smaller parts do not count
@@ -12,13 +11,19 @@ LEAST_OVERLAP = 0.1  # of the smaller whole part: overlap that shows which of a 
 
 
 def filled(outline, scale, size):
-    """Returns where a region is, rings by the even-odd rule."""
-    region = Image.new("1", size)
+    """Returns the pixels whose centres lie inside a region, rings by the even-odd rule."""
+    crossings = np.zeros((size[1], size[0] + 1), np.uint8)
     for ring in outline:
-        one = Image.new("1", size)
-        ImageDraw.Draw(one).polygon([(x * scale, y * scale) for x, y in ring], fill=1)
-        region = ImageChops.logical_xor(region, one)
-    return np.asarray(region)
+        x, y = np.asarray(ring, float).T * scale - 0.5
+        next_x, next_y = np.roll(x, -1), np.roll(y, -1)
+        first = np.ceil(np.minimum(y, next_y)).clip(0, size[1]).astype(int)
+        rows = np.ceil(np.maximum(y, next_y)).clip(0, size[1]).astype(int) - first
+        edge = np.repeat(np.arange(len(x)), rows)
+        row = np.arange(len(edge)) - np.repeat(np.cumsum(rows) - rows, rows) + first[edge]
+        share = (row - y[edge]) / (next_y - y)[edge]
+        column = np.ceil(x[edge] + share * (next_x - x)[edge]).clip(0, size[0]).astype(int)
+        np.add.at(crossings, (row, column), 1)
+    return np.cumsum(crossings, 1, np.uint8)[:, :-1] % 2 == 1
 
 
 def whole_parts(scene, side):
