@@ -92,6 +92,7 @@ Result<Basins> find_basins(const Drawing& drawing, const Network& network,
   look_up(*seen, rgba.width, rgba.height, basins);
   basins.cut_out = is_cut_out(rgba, basins.figure);
   if (basins.cut_out) add_cut_edges(rgba, map);
+  const Image8 drawn = map.barrier;
   add_contours(basins.contour, least_contour,
                static_cast<int>(std::lround(contour_margin * seen->cell)), map);
   const std::vector<uint8_t>& barrier = map.barrier.pixels;
@@ -101,7 +102,7 @@ Result<Basins> find_basins(const Drawing& drawing, const Network& network,
   if (basins.basins.empty())
     return Error{ErrorCode::bad_input, "the drawing has no areas between its lines", ""};
   if (!go_on(context, 0.9)) return interrupted_error();
-  settle_edges(rgb, map.barrier, basins.index);
+  settle_edges(rgb, drawn, basins.index);
   if (basins.cut_out) divide_at_cut(rgba, static_cast<int>(basins.basins.size()), basins.index);
   basins.ink = std::move(map.ink);
   basins.barrier = std::move(map.barrier);

@@ -145,6 +145,11 @@ class InkTaker {
            outline_share * static_cast<double>(piece.pixels.size());
   }
 
+  bool crosses_the_picture(const LooseInk& piece) const {
+    return (piece.box.min.x < 2 && piece.box.max.x > labels_.width - 2) ||
+           (piece.box.min.y < 2 && piece.box.max.y > labels_.height - 2);
+  }
+
   /// Returns whether a piece is likelier part of the surroundings than of the figure.
   bool is_surroundings(const LooseInk& piece) const {
     const auto total =
@@ -158,7 +163,9 @@ class InkTaker {
     const auto scribbled = divide(piece, strokes);
     for (const auto& [label, pixels] : scribbled)
       if (label > 0) lay_tube(pixels, label, diagonal);
-    if (!scribbled.empty() || is_surroundings(piece) || bounds_background(piece)) return;
+    if (!scribbled.empty() || crosses_the_picture(piece) || is_surroundings(piece) ||
+        bounds_background(piece))
+      return;
     const double extent = distance(piece.box.min, piece.box.max);
     const bool speck = extent < std::max(speck_length * basins_.line_width, tube_length * diagonal);
     if (!speck)
