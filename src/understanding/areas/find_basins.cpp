@@ -92,7 +92,7 @@ Result<Basins> find_basins(const Drawing& drawing, const Network& network,
   look_up(*seen, rgba.width, rgba.height, basins);
   basins.cut_out = is_cut_out(rgba, basins.figure);
   if (basins.cut_out) add_cut_edges(rgba, map);
-  const Image8 drawn = map.barrier;
+  const Image8 drawn = map.barrier;  // colours tell nothing beside contours that nobody drew
   add_contours(basins.contour, least_contour,
                static_cast<int>(std::lround(contour_margin * seen->cell)), map);
   const std::vector<uint8_t>& barrier = map.barrier.pixels;

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "kernel/image/image_size.h"
 #include "kernel/image/watershed.h"
 #include "understanding/areas/count_regions.h"
 #include "understanding/labels/basin_votes.h"
@@ -130,16 +131,6 @@ double covered_share(const Segmentation& segmentation) {
   return static_cast<double>(area) / static_cast<double>(segmentation.labels.pixels.size());
 }
 
-/// Computes the share of the picture's edge that the parts cover.
-double covered_edge(const Image16& labels) {
-  const int w = labels.width;
-  const int h = labels.height;
-  int covered = 0;
-  for (int x = 0; x < w; ++x) covered += (labels.at(x, 0) != 0) + (labels.at(x, h - 1) != 0);
-  for (int y = 0; y < h; ++y) covered += (labels.at(0, y) != 0) + (labels.at(w - 1, y) != 0);
-  return covered / (2.0 * (w + h));
-}
-
 void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& segmentation) {
   std::set<std::string> present;
   for (const SegmentedPart& part : segmentation.parts) present.insert(part.id);
@@ -148,10 +139,14 @@ void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& s
       segmentation.notes.push_back("no area is left for the part \"" + id +
                                    "\": draw a hard stroke inside it");
   if (!scribbles.strokes.empty()) return;
+  const Image16& labels = segmentation.labels;
   const double covered = covered_share(segmentation);
-  if (covered > nearly_all || covered_edge(segmentation.labels) > most_of_edge)
+  const double covered_edge = share_of_edge(
+      labels.width, labels.height, [&labels](int x, int y) { return labels.at(x, y) != 0; });
+  if (covered > nearly_all || covered_edge > most_of_edge)
     segmentation.notes.push_back(
-        "the parts reach most of the picture's edge: mark its background with an outside stroke");
+        "the parts cover nearly all of the picture or most of its edge: mark its background with "
+        "an outside stroke");
   if (covered < nearly_nothing)
     segmentation.notes.push_back(
         "the parts cover very little of the picture: crop it to the figure, or mark each part "

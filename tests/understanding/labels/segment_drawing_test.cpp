@@ -331,6 +331,21 @@ TEST(SegmentDrawing, PalePaintBelongsToTheFigureAndPaperDoesNot) {
   EXPECT_EQ(label_at(*s, 5, 5), 0);
 }
 
+/// Discs that cover none and three quarters of the edge.
+TEST(SegmentDrawing, NotesThatPartsCoverMostOfTheEdge) {
+  for (const double radius : {100.0, 150.0}) {
+    InkDrawing face(240, 240);
+    face.disc({120, 120}, radius, 230, 170, 60).circle({120, 120}, radius);
+    face.disc({80, 90}, 14, 40, 40, 60).disc({160, 90}, 14, 40, 40, 60);
+    const Result<Segmentation> s = segment_drawing(face.drawing());
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    const auto tells = [](const std::string& note) {
+      return note.find("most of its edge") != std::string::npos;
+    };
+    EXPECT_EQ(std::any_of(s->notes.begin(), s->notes.end(), tells), radius > 120) << radius;
+  }
+}
+
 TEST(SegmentDrawing, BlankDrawingsAreRefused) {
   for (const Drawing& drawing : {Drawing(), InkDrawing(50, 40).drawing(),
                                  InkDrawing(99, 99).line({0, 50}, {99, 50}).drawing()}) {
