@@ -25,7 +25,7 @@ namespace relievo::understanding {
 namespace {
 
 constexpr int least_contour = 100;         ///< probability, of 255, of contours that bound basins
-constexpr double contour_margin = 1.5;     ///< cells, distance up to which lines stand for contours
+constexpr double contour_margin = 2.5;     ///< cells, distance up to which lines stand for contours
 constexpr double smallest_inradius = 1.5;  ///< px; narrower basins are gaps inside double strokes
 /// A peak has its own basin if it rises 1.5 px above the pass to a higher one and that is at most
 /// 0.9 times as high.
