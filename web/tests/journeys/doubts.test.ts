@@ -42,8 +42,12 @@ it('asks about uncertain guesses one at a time, and accepts an answer or undoes 
   const count = async (): Promise<number> => Number(await page.getAttribute('.doubt-bar', 'data-doubts'));
   const all = await count();
   expect(all).toBeGreaterThan(2);
-  await page.click('[data-doubt=next]');
-  await page.waitForSelector('.doubt-bar[data-kind=order]');
+  const goTo = async (kind: string): Promise<void> => {
+    if (await page.isVisible('[data-doubt=close]')) await page.click('[data-doubt=close]');
+    for (let k = 0; k < all && (await page.getAttribute('.doubt-bar', 'data-kind')) !== kind; ++k) await page.click('[data-doubt=next]');
+    await page.waitForSelector(`.doubt-bar[data-kind=${kind}]`);
+  };
+  await goTo('order');
   await picture(page, 'doubt-order');
   const guessed = await names(page);
   await page.click('[data-doubt=yes]');
@@ -53,9 +57,7 @@ it('asks about uncertain guesses one at a time, and accepts an answer or undoes 
   await page.keyboard.press('Control+z');
   await expect.poll(count).toBe(all);
 
-  await page.click('[data-doubt=close]');
-  await page.click('[data-doubt=next]');
-  await page.waitForSelector('.doubt-bar[data-kind=order]');
+  await goTo('order');
   await page.click('[data-doubt=no]');
   await settled(page);
   expect(await names(page)).not.toEqual(guessed);
@@ -63,7 +65,7 @@ it('asks about uncertain guesses one at a time, and accepts an answer or undoes 
   await settled(page);
   expect(await names(page)).toEqual(guessed);
 
-  while ((await page.getAttribute('.doubt-bar', 'data-kind')) !== 'join') await page.click('[data-doubt=next]');
+  await goTo('join');
   await picture(page, 'doubt-join');
   const before = await project();
   await page.click('[data-doubt=no]');
