@@ -33,8 +33,8 @@ build
   --shapes "$(part_of 400)"
 "$python" research/learning/network.py "$folder/pictures" "$weights" --steps "$(part_of 6000)"
 build
-"$python" research/learning/paint.py "$folder" "$folder/regions" tuning --each 3 \
-  --shapes "$(part_of 400)"
+"$python" research/learning/paint.py "$folder" "$folder/regions" tuning --each 2 \
+  --most "$(part_of 250)" --shapes "$(part_of 60)"
 "$python" research/learning/regions.py build/test/research/learning/relievo-regions "$folder/regions" "$trees"
 build
 "$python" research/corpus/table.py "$program" "$folder" validation --most "$(part_of 100)"

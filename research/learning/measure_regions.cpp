@@ -80,10 +80,7 @@ void write_drawing(int picture, const Basins& basins, Overlaps overlaps) {
     const auto smaller =
         static_cast<double>(std::min(regions.region(a).area, regions.region(b).area));
     const double purity = std::min(purity_a, purity_b);
-    // Two regions outside the figure may stay apart, as long as neither is taken for a part of it.
-    const double matters = part_a == 0 && part_b == 0 ? 0.5 : 1;
-    const double weight =
-        matters * purity * purity * std::min(1.0, std::sqrt(20 * smaller / drawing.figure));
+    const double weight = purity * purity * std::min(1.0, std::sqrt(20 * smaller / drawing.figure));
     write_row("pair", picture, weight, part_a == part_b, features);
     return part_a == part_b ? 1 - features[static_cast<size_t>(PairFeature::near_contour)] : -1;
   });

@@ -16,11 +16,6 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 
 TABLES = {"pair": "one_part_trees.inc", "region": "figure_trees.inc"}
 SIZES = {"pair": (120, 8), "region": (40, 8)}  # trees, and leaves of each
-# Per feature, 1 where the odds never fall as it grows, and -1 where they never rise.
-SIGNS = {
-    "pair": [-1, -1, -1, 0, 0, 0, -1, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0],
-    "region": [1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
-}
 MOST_ROWS = 400  # of one picture
 APART = 10
 
@@ -107,12 +102,7 @@ def learn(kind, rows, apart, file):
     weights, truth, features = rows[:, 1], rows[:, 2], rows[:, 3:]
     trees, leaves = SIZES[kind]
     model = HistGradientBoostingClassifier(
-        max_iter=trees,
-        max_leaf_nodes=leaves,
-        learning_rate=0.15,
-        min_samples_leaf=60,
-        l2_regularization=1.0,
-        monotonic_cst=SIGNS[kind],
+        max_iter=trees, max_leaf_nodes=leaves, learning_rate=0.15, min_samples_leaf=60, l2_regularization=1.0
     )
     model.fit(features[~apart], truth[~apart], sample_weight=weights[~apart])
     odds = model.decision_function(features[apart])
