@@ -75,7 +75,7 @@ TEST(OpenRoots, AnArmThatIsOpenAtTheShoulderIsAPart) {
           EXPECT_LT(std::abs(cross(p - middle, arm.along())), half_width + 2);
         }
       }
-  EXPECT_LE(one_part, 20) << "of 42";
+  EXPECT_LE(one_part, 8) << "of 42";
 }
 
 TEST(OpenRoots, LieBetweenTheEndsOfTheLines) {
