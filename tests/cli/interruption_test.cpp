@@ -16,6 +16,7 @@ TEST_F(Interruption, LeavesNothingHalfWritten) {
     for (const int milliseconds : {400, 700, 1100}) {
       Process process(folder_.path(), {"build", "scene.json", "-o", "m.glb", "-o", "n.stl",
                                        "--vertices", "2000000"});
+      process.wait_until_handled(signal);
       std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
       process.send(signal);
       const Outcome outcome = process.wait();

@@ -5,10 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <thread>
 
 namespace relievo {
 namespace {
@@ -54,6 +57,20 @@ Process::~Process() {
 }
 
 void Process::send(int signal) const { kill(id_, signal); }
+
+void Process::wait_until_handled(int signal) const {
+  // The kernel lists the signals that a process handles as bits of a hexadecimal number.
+  const std::string status = "/proc/" + std::to_string(id_) + "/status";
+  const std::string key = "SigCgt:";
+  for (std::ifstream file(status); file; file = std::ifstream(status)) {
+    for (std::string line; std::getline(file, line);) {
+      if (line.rfind("State:\tZ", 0) == 0) return;
+      if (line.rfind(key, 0) != 0) continue;
+      if ((std::stoull(line.substr(key.size()), nullptr, 16) >> (signal - 1) & 1) != 0) return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
 
 Outcome Process::wait() {
   int status = 0;

@@ -28,6 +28,9 @@ class Process {
 
   void send(int signal) const;
 
+  /// Waits until the program handles a signal itself, or has ended.
+  void wait_until_handled(int signal) const;
+
   /// Waits for the end.
   Outcome wait();
 
