@@ -56,3 +56,5 @@ file(CREATE_LINK ${RELIEVO_SOURCES}/libpolyclipping/cpp ${headers}/polyclipping 
 relievo_sources(polyclipping PkgConfig::POLYCLIPPING ${RELIEVO_SOURCES}/libpolyclipping/cpp
                 clipper.cpp)
 target_include_directories(polyclipping SYSTEM INTERFACE ${headers})
+relievo_sources(meshopt meshoptimizer::meshoptimizer ${RELIEVO_SOURCES}/meshoptimizer/src
+                allocator.cpp simplifier.cpp)

@@ -60,7 +60,7 @@ out of the body.")
 relievo_package(program relievo graphics "" "turns drawings of characters into reliefs"
   "${about}\nThis package holds the program.")
 string(CONCAT libraries "libcgal-dev, libeigen3-dev, libembree-dev, libgif-dev, libheif-dev, "
-  "libjpeg-dev, libpng-dev, libpolyclipping-dev, libpugixml-dev, librsvg2-dev, libwebp-dev, "
+  "libjpeg-dev, libmeshoptimizer-dev, libpng-dev, libpolyclipping-dev, libpugixml-dev, librsvg2-dev, libwebp-dev, "
   "libzip-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev")
 relievo_package(library librelievo-dev libdevel "${libraries}" "reliefs from drawings, the library"
   "${about}\nThis package holds the library, its headers, and what CMake needs to find it.")

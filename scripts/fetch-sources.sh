@@ -4,7 +4,7 @@
 # changes; does nothing where all are there. Usage: fetch-sources.sh FOLDER
 set -eu
 [ $# -eq 1 ] || { echo "usage: $0 FOLDER" >&2; exit 2; }
-packages="libpng1.6 libpolyclipping pugixml zlib"
+packages="libpng1.6 libpolyclipping meshoptimizer pugixml zlib"
 
 mkdir -p "$1"
 cd "$1"

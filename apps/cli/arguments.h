@@ -43,6 +43,7 @@ struct ReliefArguments {
   bool as_in_paper = false;              ///< use the paper's c, d, profile and tilt for all parts
   std::optional<Visibility> visibility;  ///< of the surface; default: orbit
   Field field = Field::relief;
+  std::optional<Ink> ink;  ///< default: usual_ink of files, shells in pictures
   /// Make a closed solid in place of the surface; default: in files to print (prints_solids).
   std::optional<bool> solid;
   SolidOptions solid_options;    ///< their size is that of the outputs

@@ -100,6 +100,10 @@ void settle_build(const BuildArguments& build) {
   if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
     throw CLI::ValidationError(
         "--convergence needs --method nonlinear, since the approximate method has no steps");
+  const auto holds = [](const std::string& name) { return holds_shells(name); };
+  if (build.relief.ink == Ink::shell &&
+      !std::all_of(build.models.begin(), build.models.end(), holds))
+    throw CLI::ValidationError("--ink shell needs .glb, .usdz or .html");
   const bool prints = prints_solids(build.relief);
   if (wants(build, {".3mf"}) && !prints)
     throw CLI::ValidationError(

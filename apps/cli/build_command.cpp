@@ -42,6 +42,15 @@ struct Products {
   std::vector<std::string> warnings;
 };
 
+/// How models are made.
+struct Making {
+  bool solid = false;
+  Ink ink = Ink::shell;
+};
+
+/// Returns what becomes of contours in pictures.
+Ink pictured_ink(const BuildArguments& build) { return build.relief.ink.value_or(Ink::shell); }
+
 /// Selects the models that are solids if `solid`, or the surfaces.
 std::vector<std::string> models_of(const BuildArguments& build, bool solid) {
   std::vector<std::string> names;
@@ -50,6 +59,15 @@ std::vector<std::string> models_of(const BuildArguments& build, bool solid) {
         is_for_print(name) ? prints_solids(build.relief) : build.relief.solid.value_or(false);
     if (made_solid == solid) names.push_back(name);
   }
+  return names;
+}
+
+/// Selects the models that are made in one way.
+std::vector<std::string> models_of(const BuildArguments& build, Making making) {
+  std::vector<std::string> names = models_of(build, making.solid);
+  std::erase_if(names, [&](const std::string& name) {
+    return build.relief.ink.value_or(usual_ink(name)) != making.ink;
+  });
   return names;
 }
 
@@ -65,10 +83,10 @@ void make_level(Products& products, const BuildArguments& build, int level,
   if (build.triangles == 0 && build.levels == 1 && !build.one_mesh) return;
   const Model& made = products.made->drawn.model;
   Model model = build.one_mesh ? unite_parts(made, fs::path(name).stem().string()) : made;
-  const auto all = static_cast<int>(model.triangles.size());
+  const auto all = static_cast<int>(model.all_triangles());
   const int most = (build.triangles > 0 ? std::min(build.triangles, all) : all) >> level;
   products.written = simplify_model(model, std::max(most, 1));
-  const size_t left = products.written->triangles.size();
+  const size_t left = products.written->all_triangles();
   if (left > static_cast<size_t>(most))
     products.warnings.push_back("the model keeps " + std::to_string(left) + " triangles, not " +
                                 std::to_string(most) +
@@ -91,7 +109,7 @@ std::string summary(const std::string& name, size_t parts, const Model& model, d
     const double mm = scale * length;
     return shortest_text(mm < 10 ? std::round(10 * mm) / 10 : std::round(mm));
   };
-  return name + ": " + counted(parts, "part") + ", " + grouped(model.triangles.size()) +
+  return name + ": " + counted(parts, "part") + ", " + grouped(model.all_triangles()) +
          " triangles, " + side(box.max.x - box.min.x) + " x " + side(box.max.y - box.min.y) +
          " x " + side(box.max.z - box.min.z) + " mm";
 }
@@ -105,13 +123,14 @@ int texture_size(const BuildArguments& build, const Drawing& drawing, int level)
 }
 
 /// Makes a surface or a solid of the relief and adds its files of the given names.
-Status add_models(Products& products, const BuildArguments& build, bool solid,
+Status add_models(Products& products, const BuildArguments& build, Making making,
                   const std::vector<std::string>& names, const SceneInput& input,
                   const relief::Relief& relief, const RunContext& context) {
   ReliefArguments arguments = build.relief;
+  const bool solid = making.solid;
   arguments.solid = solid;
   arguments.solid_options.size = build.size_mm;
-  auto made = make_model(relief, input, arguments, context);
+  auto made = make_model(relief, input, arguments, making.ink, context);
   if (!made) return made.error();
   const auto& [model, drawing] = products.made.emplace(std::move(*made)).drawn;
   // A solid is in mm already.
@@ -124,8 +143,10 @@ Status add_models(Products& products, const BuildArguments& build, bool solid,
     const double share = longest_side(written) / longest_side(model);
     for (const std::string& name : names) {
       const std::string file = level_name(name, level);
-      ExportOptions options = {share * size, build.grounded,  texture_size(build, drawing, level),
-                               standing,     build.filaments, build.slicer};
+      const ExportOptions options = {
+          share * size, build.grounded,  texture_size(build, drawing, level),
+          standing,     build.filaments, build.slicer,
+          making.ink};
       auto files = export_model(written, drawing, file, options);
       if (!files) return files.error();
       std::move(files->begin(), files->end(), std::back_inserter(products.outputs.files));
@@ -154,14 +175,18 @@ Status add_pictures(Products& products, const BuildArguments& build, const RunCo
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
                   const relief::Relief& relief, const RunContext& context) {
   const bool pictures = !build.preview.empty() || !build.carve_map.empty();
-  for (const bool solid : {false, true}) {
-    const std::vector<std::string> names = models_of(build, solid);
-    const bool pictured = pictures && build.relief.solid.value_or(false) == solid;
-    if (names.empty() && !pictured) continue;
-    if (Status s = add_models(products, build, solid, names, input, relief, context); !s) return s;
-    if (!pictured) continue;
-    if (Status s = add_pictures(products, build, context); !s) return s;
-  }
+  for (const bool solid : {false, true})
+    for (const Ink ink : {Ink::paint, Ink::none, Ink::shell}) {
+      const std::vector<std::string> names = models_of(build, Making{solid, ink});
+      const bool pictured =
+          pictures && build.relief.solid.value_or(false) == solid && ink == pictured_ink(build);
+      if (names.empty() && !pictured) continue;
+      if (Status s = add_models(products, build, Making{solid, ink}, names, input, relief, context);
+          !s)
+        return s;
+      if (!pictured) continue;
+      if (Status s = add_pictures(products, build, context); !s) return s;
+    }
   return Done{};
 }
 

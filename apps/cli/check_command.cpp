@@ -210,7 +210,7 @@ Result<size_t> print_weak_spots(const CheckArguments& check, SceneInput& input,
   arguments.options.layers.vertex_budget = trial_vertices;
   const auto relief = reconstruct(input, arguments, context);
   if (!relief) return relief.error();
-  const auto made = make_model(*relief, input, arguments, context);
+  const auto made = make_model(*relief, input, arguments, Ink::none, context);
   if (!made) return made.error();
   const std::vector<PrintFinding> findings = print_findings(*made, arguments);
   Table table({"to print", "part", "problem and remedy"});

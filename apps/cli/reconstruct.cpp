@@ -87,7 +87,7 @@ Result<relief::Relief> reconstruct(SceneInput& input, const ReliefArguments& arg
 }
 
 Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& input,
-                             const ReliefArguments& arguments, const RunContext& context) {
+                             const ReliefArguments& arguments, Ink ink, const RunContext& context) {
   if (arguments.solid.value_or(false)) {
     auto solid = solid_of(relief, input.scene, input.drawing, arguments.solid_options, context);
     if (!solid) return solid.error();
@@ -98,7 +98,7 @@ Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& inp
   auto model = relief::assemble_model(
       {relief.layers, relief.inflation, relief.ordering, input.scene}, options, context);
   if (!model) return model.error();
-  return MadeModel{relief::finish_model(std::move(*model), input.drawing), {}};
+  return MadeModel{relief::finish_model(std::move(*model), input.drawing, ink), {}};
 }
 
 std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments) {

@@ -53,6 +53,6 @@ Result<relief::Relief> reconstruct(SceneInput& input, const ReliefArguments& arg
 /// Makes a solid of the relief if the options ask for one. Otherwise makes the surface that the
 /// chosen visibility keeps, with the drawing on it and colours for its hidden faces.
 Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& input,
-                             const ReliefArguments& arguments, const RunContext& context);
+                             const ReliefArguments& arguments, Ink ink, const RunContext& context);
 
 }  // namespace relievo::cli

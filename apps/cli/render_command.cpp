@@ -48,9 +48,10 @@ Result<Subject> build_model(const InputFile& input, const RenderArguments& rende
   const auto relief = reconstruct(*loaded, render.relief, context);
   print_warnings(loaded->warnings);
   if (!relief) return relief.error();
-  // Rims are narrowed for the ink of the drawing, which clay does not show.
+  // Clay shows no ink.
   if (render.clay && !render.relief.solid.value_or(false)) loaded->drawing = {};
-  auto drawn = make_model(*relief, *loaded, render.relief, context);
+  auto drawn =
+      make_model(*relief, *loaded, render.relief, render.relief.ink.value_or(Ink::shell), context);
   if (!drawn) return drawn.error();
   return Subject{std::move(drawn->drawn), std::move(loaded->files)};
 }

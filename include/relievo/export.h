@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "relievo/files.h"
@@ -27,6 +28,7 @@ struct ExportOptions {
   bool standing = false;  ///< .stl and .3mf: the drawing's up becomes the print bed's up
   int filaments = 4;      ///< .3mf: number of colours painted, at most; in [1, 16]
   Slicer slicer = Slicer::prusa;
+  std::optional<Ink> ink{};  ///< of a surface to be finished; default: usual_ink
 };
 
 /// Returns whether a file is for a printer, which needs a closed body (Session::solid): .stl and
@@ -34,6 +36,18 @@ struct ExportOptions {
 inline bool is_for_print(const std::filesystem::path& path) {
   const std::filesystem::path ending = path.extension();
   return ending == ".stl" || ending == ".3mf";
+}
+
+/// Returns whether a file can hold lines that are seen from one side alone: .glb, .usdz and .html.
+inline bool holds_shells(const std::filesystem::path& path) {
+  const std::filesystem::path ending = path.extension();
+  return ending == ".glb" || ending == ".usdz" || ending == ".html";
+}
+
+/// Returns what becomes of contours in a file if nothing else is said: shells where it can hold
+/// them, none where it is for a printer, paint in others.
+inline Ink usual_ink(const std::filesystem::path& path) {
+  return holds_shells(path) ? Ink::shell : is_for_print(path) ? Ink::none : Ink::paint;
 }
 
 /// Encodes a model in the format given by the ending of `path`: .glb (metres, Y up, drawing

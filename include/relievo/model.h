@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,6 +36,20 @@ struct ModelPart {
   int seen_end() const { return end() - hidden_count; }
 };
 
+/// What becomes of the contours of a drawing, the ink along the outlines of its parts.
+enum class Ink {
+  shell,  ///< lines that turn with the model: a mesh of their own (Model::ink)
+  paint,  ///< colours of the surface, as drawn: bands on its sides when the model is turned
+  none,   ///< the paint beside them goes on to the outline
+};
+
+/// The contours of a drawing as a mesh of their own, without light and seen from one side alone.
+struct InkMesh {
+  std::vector<Point3> positions;              ///< [vertices] px
+  std::vector<Point2> uvs;                    ///< [vertices] as those of the model
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
+};
+
 /// A triangle mesh with a picture's coordinates. Model space is in canvas px: X right, Y up, Z
 /// towards the viewer; the canvas spans x in [0, width] and y in [0, height]; z = 0 is the drawing
 /// plane of f. Triangles of a smooth surface share vertices; where the surface is open, vertices
@@ -47,9 +62,13 @@ struct Model {
   std::vector<Point2> uvs;        ///< [vertices] [0, 1] on the drawing, origin top-left, v down
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
   std::vector<ModelPart> parts;               ///< back to front; their triangles are disjoint runs
+  InkMesh ink;                                ///< empty if no contours are drawn
   /// The faces kept, for a surface whose inked rims and hidden triangles export_model still has to
   /// finish. Empty for models that are written as they are, such as solids.
   std::optional<Visibility> unfinished{};
+
+  /// Returns the number of triangles with those of the ink.
+  size_t all_triangles() const { return triangles.size() + ink.triangles.size(); }
 };
 
 struct ModelOptions {

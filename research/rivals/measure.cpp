@@ -195,7 +195,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 }
 
 Result<FrontProbe> FrontProbe::build(const Model& model, const RunContext& context) {
-  auto rays = RayScene::build(model, context);
+  auto rays = RayScene::build(model, {}, context);
   if (!rays) return rays.error();
   double top = 0;
   for (const Point3 p : model.positions) top = std::max(top, p.z);

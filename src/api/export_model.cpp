@@ -83,8 +83,13 @@ Status check_options(const ExportOptions& options) {
 Result<Files> export_model(const Model& model, const Drawing& drawing, const fs::path& path,
                            const ExportOptions& options) {
   if (Status status = check_options(options); !status) return status.error();
+  const Ink ink = options.ink.value_or(usual_ink(path));
+  if (ink == Ink::shell && !holds_shells(path))
+    return Error{ErrorCode::usage,
+                 "shells of ink need .glb, .usdz or .html: choose paint or none for others",
+                 "--ink"};
   if (!model.unfinished) return encode_as(path, model, drawing, options);
-  const relief::DrawnModel finished = relief::finish_model(model, drawing);
+  const relief::DrawnModel finished = relief::finish_model(model, drawing, ink);
   return encode_as(path, finished.model, finished.drawing, options);
 }
 

@@ -1,20 +1,22 @@
 #include "lod/simplify_model.h"
 
-#include <meshoptimizer.h>
-
+#include <algorithm>
 #include <array>
 #include <vector>
+
+#include "kernel/geometry/box3.h"
+#include "kernel/meshing/simplify_triangles.h"
 
 namespace relievo {
 namespace {
 
 /// Greatest distance by which a surface may move, of the model's extent; beyond it limbs fall off.
-constexpr float most_error = 0.005F;
+constexpr double most_error = 0.005;
 
-/// A model whose parts share no vertex, in the simplifier's format.
+/// A model whose parts share no vertex.
 struct Pieces {
-  std::vector<unsigned> indices;
-  std::vector<std::array<float, 3>> positions;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<Point3> positions;
   std::vector<int> source;  ///< vertex of the model
   std::vector<int> part;
 };
@@ -25,18 +27,19 @@ Pieces take_apart(const Model& model) {
   for (size_t p = 0; p < model.parts.size(); ++p) {
     const ModelPart& part = model.parts[p];
     const size_t first = pieces.source.size();
-    for (int t = part.first_triangle; t < part.end(); ++t)
-      for (const int v : model.triangles[t]) {
+    for (int t = part.first_triangle; t < part.end(); ++t) {
+      std::array<int, 3> triangle = model.triangles[t];
+      for (int& v : triangle) {
         if (local[v] < 0) {
           local[v] = static_cast<int>(pieces.source.size());
-          const Point3 at = model.positions[v];
-          pieces.positions.push_back(
-              {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)});
+          pieces.positions.push_back(model.positions[v]);
           pieces.source.push_back(v);
           pieces.part.push_back(static_cast<int>(p));
         }
-        pieces.indices.push_back(static_cast<unsigned>(local[v]));
+        v = local[v];
       }
+      pieces.triangles.push_back(triangle);
+    }
     for (size_t i = first; i < pieces.source.size(); ++i) local[pieces.source[i]] = -1;
   }
   return pieces;
@@ -48,9 +51,9 @@ Model put_together(const Model& model, const Pieces& pieces) {
   result.width = model.width;
   result.height = model.height;
   result.parts = model.parts;
-  std::vector<std::vector<size_t>> corners(model.parts.size());
-  for (size_t i = 0; i < pieces.indices.size(); i += 3)
-    corners[pieces.part[pieces.indices[i]]].push_back(i);
+  std::vector<std::vector<size_t>> triangles(model.parts.size());
+  for (size_t t = 0; t < pieces.triangles.size(); ++t)
+    triangles[pieces.part[pieces.triangles[t][0]]].push_back(t);
   std::vector<int> number(model.positions.size(), -1);
   const auto number_of = [&](int v) {
     if (number[v] < 0) {
@@ -61,14 +64,32 @@ Model put_together(const Model& model, const Pieces& pieces) {
     }
     return number[v];
   };
-  for (size_t p = 0; p < corners.size(); ++p) {
+  for (size_t p = 0; p < triangles.size(); ++p) {
     result.parts[p].first_triangle = static_cast<int>(result.triangles.size());
-    result.parts[p].triangle_count = static_cast<int>(corners[p].size());
-    for (const size_t i : corners[p]) {
-      std::array<int, 3> triangle{};
-      for (size_t k = 0; k < 3; ++k) triangle[k] = number_of(pieces.source[pieces.indices[i + k]]);
+    result.parts[p].triangle_count = static_cast<int>(triangles[p].size());
+    for (const size_t t : triangles[p]) {
+      std::array<int, 3> triangle = pieces.triangles[t];
+      for (int& v : triangle) v = number_of(pieces.source[v]);
       result.triangles.push_back(triangle);
     }
+  }
+  return result;
+}
+
+/// Simplifies lines and leaves out vertices without triangles.
+InkMesh simplify_ink(const InkMesh& ink, size_t triangles, double error) {
+  InkMesh result;
+  std::vector<int> number(ink.positions.size(), -1);
+  for (std::array<int, 3> t : simplify_triangles(ink.positions, ink.triangles, triangles, error)) {
+    for (int& v : t) {
+      if (number[v] < 0) {
+        number[v] = static_cast<int>(result.positions.size());
+        result.positions.push_back(ink.positions[v]);
+        result.uvs.push_back(ink.uvs[v]);
+      }
+      v = number[v];
+    }
+    result.triangles.push_back(t);
   }
   return result;
 }
@@ -76,15 +97,21 @@ Model put_together(const Model& model, const Pieces& pieces) {
 }  // namespace
 
 Model simplify_model(const Model& model, int triangles) {
-  if (model.triangles.size() <= static_cast<size_t>(triangles)) return model;
+  if (model.all_triangles() <= static_cast<size_t>(triangles)) return model;
+  const double share = static_cast<double>(triangles) / static_cast<double>(model.all_triangles());
+  const auto left_of = [share](size_t count) {
+    return static_cast<size_t>(share * static_cast<double>(count));
+  };
   Pieces pieces = take_apart(model);
-  const std::vector<unsigned> before = pieces.indices;
-  const size_t left = meshopt_simplify(pieces.indices.data(), before.data(), pieces.indices.size(),
-                                       pieces.positions.front().data(), pieces.positions.size(),
-                                       sizeof pieces.positions.front(),
-                                       3 * static_cast<size_t>(triangles), most_error, 0, nullptr);
-  pieces.indices.resize(left);
-  return put_together(model, pieces);
+  Box3 box;
+  for (const Point3 p : pieces.positions) box.add(p);
+  const Point3 sides = box.sides();
+  const double error = most_error * std::max({sides.x, sides.y, sides.z});
+  pieces.triangles = simplify_triangles(pieces.positions, pieces.triangles,
+                                        left_of(model.triangles.size()), error);
+  Model result = put_together(model, pieces);
+  result.ink = simplify_ink(model.ink, left_of(model.ink.triangles.size()), error);
+  return result;
 }
 
 Model unite_parts(Model model, const std::string& id) {

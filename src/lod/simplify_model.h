@@ -6,7 +6,7 @@
 
 namespace relievo {
 
-/// Simplifies a model to about `triangles` triangles. Edges are collapsed where quadrics say that
+/// Simplifies a model and its ink to about `triangles` triangles together. Edges are collapsed where quadrics say that
 /// the surface changes least (libmeshoptimizer); vertices stay where they are or vanish. Seams of
 /// the texture, borders of parts and outlines are collapsed along themselves alone, for which more
 /// triangles may remain. A model that is small enough is returned as it is. Precondition: the model

@@ -7,20 +7,35 @@ namespace relievo {
 namespace {
 
 /// Fills the geometry's own buffers; returns false if there is no memory for them.
-bool set_triangles(RTCGeometry geometry, const Model& model) {
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                                               model.positions.size()));
+bool set_triangles(RTCGeometry geometry, const std::vector<Point3>& positions,
+                   const std::vector<std::array<int, 3>>& triangles) {
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
   auto* indices = static_cast<unsigned*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              3 * sizeof(unsigned), model.triangles.size()));
+                              3 * sizeof(unsigned), triangles.size()));
   if (vertices == nullptr || indices == nullptr) return false;
-  for (const Point3 p : model.positions)
+  for (const Point3 p : positions)
     for (const double coordinate : {p.x, p.y, p.z}) *vertices++ = static_cast<float>(coordinate);
-  for (const std::array<int, 3>& triangle : model.triangles)
+  for (const std::array<int, 3>& triangle : triangles)
     for (const int v : triangle) *indices++ = static_cast<unsigned>(v);
   return true;
 }
+
+constexpr unsigned ink_geometry = 1;
+
+/// Lets rays pass through ink that faces away from the viewer.
+void pass_backs(const RTCFilterFunctionNArguments* query) {
+  RTCRayN* ray = query->ray;
+  RTCHitN* hit = query->hit;
+  const float along = RTCRayN_dir_x(ray, query->N, 0) * RTCHitN_Ng_x(hit, query->N, 0) +
+                      RTCRayN_dir_y(ray, query->N, 0) * RTCHitN_Ng_y(hit, query->N, 0) +
+                      RTCRayN_dir_z(ray, query->N, 0) * RTCHitN_Ng_z(hit, query->N, 0);
+  if (along >= 0) query->valid[0] = 0;
+}
+
+/// Lets all rays to the light pass.
+void pass_all(const RTCFilterFunctionNArguments* query) { query->valid[0] = 0; }
 
 bool keep_building(void* context, double) {
   return !static_cast<const RunContext*>(context)->cancelled();
@@ -52,7 +67,8 @@ Point3 facing(Point3 normal, Point3 back) {
 
 }  // namespace
 
-Result<RayScene> RayScene::build(const Model& model, const RunContext& context) {
+Result<RayScene> RayScene::build(const Model& model, const InkMesh& lines,
+                                 const RunContext& context) {
   RayScene result;
   // One thread: the tree, and with it which of two coinciding faces is hit, must not depend on
   // the machine's number of cores.
@@ -67,15 +83,25 @@ Result<RayScene> RayScene::build(const Model& model, const RunContext& context) 
   RTCScene scene = result.scene_.get();
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  const bool filled = set_triangles(geometry, model);
+  RTCGeometry ink = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const bool has_ink = !lines.triangles.empty();
+  const bool filled = set_triangles(geometry, model.positions, model.triangles) &&
+                      (!has_ink || set_triangles(ink, lines.positions, lines.triangles));
   if (filled) {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
+    if (has_ink) {
+      rtcSetGeometryIntersectFilterFunction(ink, pass_backs);
+      rtcSetGeometryOccludedFilterFunction(ink, pass_all);
+      rtcCommitGeometry(ink);
+      rtcAttachGeometryByID(scene, ink, ink_geometry);
+    }
     rtcSetSceneProgressMonitorFunction(scene, keep_building, const_cast<RunContext*>(&context));
     rtcCommitScene(scene);
     rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
   }
   rtcReleaseGeometry(geometry);
+  rtcReleaseGeometry(ink);
   if (context.cancelled()) return interrupted_error();
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE || !filled)
     return Error{ErrorCode::limit, "there is not enough memory to trace rays", ""};
@@ -91,7 +117,7 @@ std::optional<RayHit> RayScene::first_hit(Point3 origin, Point3 direction) const
   rtcIntersect1(scene_.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return RayHit{static_cast<int>(query.hit.primID), static_cast<double>(query.hit.u),
-                static_cast<double>(query.hit.v)};
+                static_cast<double>(query.hit.v), query.hit.geomID == ink_geometry};
 }
 
 bool RayScene::blocked(Point3 origin, Point3 direction, double length) const {
@@ -100,6 +126,12 @@ bool RayScene::blocked(Point3 origin, Point3 direction, double length) const {
   rtcInitIntersectContext(&context);
   rtcOccluded1(scene_.get(), &context, &ray);
   return ray.tfar < 0;
+}
+
+Point2 ink_place(const InkMesh& ink, const RayHit& hit) {
+  const std::array<int, 3>& corners = ink.triangles[hit.triangle];
+  return (1 - hit.u - hit.v) * ink.uvs[corners[0]] + hit.u * ink.uvs[corners[1]] +
+         hit.v * ink.uvs[corners[2]];
 }
 
 SurfacePoint surface_point(const Model& model, const RayHit& hit, Point3 back, double lift) {

@@ -16,18 +16,20 @@ struct RayHit {
   int triangle = 0;
   double u = 0;
   double v = 0;
+  bool is_ink = false;  ///< whether the triangle is one of the ink
 };
 
 /// A model's triangles, ready for rays. Queries may run on several threads.
 class RayScene {
  public:
-  /// Errors: `limit` if there is not enough memory, `interrupted`. O(F log F).
-  static Result<RayScene> build(const Model& model, const RunContext& context);
+  /// Builds the scene of a model and its ink, which may be left out. Errors: `limit` if there is
+  /// not enough memory, `interrupted`. O(F log F).
+  static Result<RayScene> build(const Model& model, const InkMesh& ink, const RunContext& context);
 
-  /// Finds the nearest triangle along the ray, whichever side it shows.
+  /// Finds the nearest triangle along the ray, whichever side it shows, or ink that faces it.
   std::optional<RayHit> first_hit(Point3 origin, Point3 direction) const;
 
-  /// Returns whether a triangle lies along the ray within `length`.
+  /// Returns whether a triangle, not of ink, lies along the ray within `length`.
   bool blocked(Point3 origin, Point3 direction, double length) const;
 
  private:
@@ -42,6 +44,9 @@ struct SurfacePoint {
   Point3 ray_origin;  ///< origin of rays to the light, just above the smooth surface
   Point2 uv;
 };
+
+/// Returns the texture coordinates at which a ray has hit ink.
+Point2 ink_place(const InkMesh& ink, const RayHit& hit);
 
 /// Returns the point that a ray towards -`back` has hit. Rays from a flat triangle of a rounded
 /// surface would meet its neighbours near the border of the light; therefore they begin `lift`

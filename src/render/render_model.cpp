@@ -118,7 +118,7 @@ void aim(Camera& camera, const RenderWindow& window, const Renderer& renderer) {
   const double front = norm(camera.centre) + 2 * camera.distance;
   Point3 target{window.centre.x, model.height - window.centre.y, 0};
   const Point3 origin = target + Point3{0, 0, front};
-  if (const auto hit = renderer.scene.first_hit(origin, {0, 0, -1})) {
+  if (const auto hit = renderer.scene.first_hit(origin, {0, 0, -1}); hit && !hit->is_ink) {
     const std::array<int, 3>& corners = model.triangles[hit->triangle];
     target.z = (1 - hit->u - hit->v) * model.positions[corners[0]].z +
                hit->u * model.positions[corners[1]].z + hit->v * model.positions[corners[2]].z;
@@ -190,6 +190,10 @@ void render_pixel(const Renderer& renderer, int x, int y, uint8_t* rgba) {
     const auto hit = renderer.scene.first_hit(origin, -1 * renderer.camera.back);
     if (!hit) continue;
     ++hits;
+    if (hit->is_ink) {
+      sum = sum + renderer.texture->at(ink_place(renderer.model.ink, *hit));
+      continue;
+    }
     const SurfacePoint point =
         surface_point(renderer.model, *hit, renderer.camera.back, renderer.lift);
     sum = sum + shade(renderer, point, key_begin + s * key_rays, ambient_begin + s * rays);
@@ -207,7 +211,9 @@ void render_pixel(const Renderer& renderer, int x, int y, uint8_t* rgba) {
 
 Result<Image8> render(const Model& model, const Drawing* drawing, const RenderOptions& options,
                       std::optional<double> unit, const RunContext& context) {
-  Result<RayScene> scene = RayScene::build(model, context);
+  const InkMesh none;
+  Result<RayScene> scene =
+      RayScene::build(model, options.shading == Shading::textured ? model.ink : none, context);
   if (!scene) return scene.error();
   Renderer renderer{model, options, std::move(*scene), framing_camera(model, options), {}, {}};
   const double size = renderer.camera.distance;

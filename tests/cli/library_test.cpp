@@ -54,14 +54,14 @@ TEST_F(Library, FinishesModelsAsTheProgramDoes) {
   }
 }
 
-TEST_F(Library, NarrowsRimsOfUnfinishedModelsOnly) {
+TEST_F(Library, DrawsLinesOfUnfinishedModelsOnly) {
   auto model = session_.model();
   ASSERT_TRUE(model.ok());
-  // STL files have triangles alone.
-  const std::string finished = file_of(*model, drawn_.drawing, "a.stl");
-  EXPECT_TRUE(file_of(*model, {}, "a.stl") != finished);
+  const std::string unlit = "KHR_materials_unlit";
+  EXPECT_NE(file_of(*model, drawn_.drawing, "a.glb").find(unlit), std::string::npos);
+  EXPECT_EQ(file_of(*model, {}, "a.glb").find(unlit), std::string::npos);
   model->unfinished.reset();
-  EXPECT_TRUE(file_of(*model, drawn_.drawing, "a.stl") == file_of(*model, {}, "a.stl"));
+  EXPECT_EQ(file_of(*model, drawn_.drawing, "a.glb").find(unlit), std::string::npos);
 }
 
 TEST_F(Library, MakesSolidsAsTheProgramDoes) {

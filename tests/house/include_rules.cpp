@@ -131,7 +131,7 @@ std::string check_render(const Place& to) {
 }
 
 std::string check_lod(const Place& to) {
-  return to.top == "lod" ? "" : "lod uses public models and itself only";
+  return to.top == "kernel" || to.top == "lod" ? "" : "lod uses the kernel and itself only";
 }
 
 std::string check_solid(const Place& to) {

@@ -110,5 +110,21 @@ TEST(UniteParts, MakesOneOfAll) {
   EXPECT_EQ(one.triangles, whole.triangles);
 }
 
+TEST(SimplifyModel, InkBecomesSimplerWithItsModel) {
+  Model model = hemisphere(40, 32);
+  model.ink = {model.positions, model.uvs, model.triangles};
+  const Model small = simplify_model(model, 1000);
+  EXPECT_LE(small.all_triangles(), 1000U);
+  EXPECT_GT(small.ink.triangles.size(), 400U);
+  EXPECT_LT(small.ink.positions.size(), 400U);
+  for (const std::array<int, 3>& t : small.ink.triangles)
+    for (const int v : t) {
+      const Point3 p = small.ink.positions[v] - Point3{50, 50, 0};
+      EXPECT_NEAR(norm(p), 40, 1e-9);
+      EXPECT_NEAR(small.ink.uvs[v].x, small.ink.positions[v].x / model.width, 1e-9);
+    }
+  EXPECT_EQ(unite_parts(model, "one").ink.triangles, model.ink.triangles);
+}
+
 }  // namespace
 }  // namespace relievo

@@ -79,6 +79,16 @@ Model hemisphere(double radius, int rings) {
   return model;
 }
 
+InkMesh ink_rectangle(Point2 low, Point2 high, double z, bool facing) {
+  InkMesh ink;
+  ink.positions = {{low.x, low.y, z}, {high.x, low.y, z}, {high.x, high.y, z}, {low.x, high.y, z}};
+  ink.uvs.assign(4, {0.1, 0.1});
+  ink.triangles = {{0, 1, 2}, {0, 2, 3}};
+  if (!facing)
+    for (std::array<int, 3>& t : ink.triangles) std::swap(t[1], t[2]);
+  return ink;
+}
+
 Model split_hemisphere(double radius) {
   Model model = hemisphere(radius, 12);
   const double middle = 0.5 * model.width;

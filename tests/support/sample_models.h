@@ -24,6 +24,10 @@ void add_ellipsoid(Model& model, const Ellipsoid& ellipsoid);
 /// A flat rectangle over the whole canvas as a part.
 void add_plane(Model& model, const std::string& id, double z);
 
+/// A rectangle of ink at a height, which faces the viewer or away from them. Its colour is that of
+/// the top left corner of a picture.
+InkMesh ink_rectangle(Point2 low, Point2 high, double z, bool facing);
+
 /// A hemisphere of the given radius at the middle of a canvas 2.5 radii wide.
 Model hemisphere(double radius, int rings = 24);
 

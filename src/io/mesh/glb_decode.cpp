@@ -229,6 +229,7 @@ void return_to_canvas(const Glb& glb, Model& model) {
   const auto extras = scene.find("extras");
   const bool recorded = extras != scene.end() && extras->contains("canvas");
   const Placement placement = recorded ? recorded_canvas(*extras, model) : fitted_canvas(model);
+  for (Point3& p : model.ink.positions) p = (1 / placement.scale) * p + placement.origin;
   for (Point3& p : model.positions) {
     p = (1 / placement.scale) * p + placement.origin;
     // A NaN fails this comparison.
@@ -288,11 +289,41 @@ Glb split_chunks(ByteView bytes, const GlbLimits& limits) {
   return {parse_json(bytes.subspan(20, json_size)), rest.subspan(8, read_u32(rest.data()))};
 }
 
+bool is_ink(const Json& node) {
+  const auto extras = node.find("extras");
+  return extras != node.end() && extras->is_object() && extras->contains("ink");
+}
+
+/// Reads the contours, whose mesh has no normals.
+void append_ink(const Glb& glb, const Json& node, const GlbLimits& limits, Model& model) {
+  const Json& mesh = element(glb.json, "meshes", natural_member(node, "mesh"));
+  for (const Json& primitive : member(mesh, "primitives")) {
+    const Accessor positions = attribute(glb, primitive, "POSITION", 3);
+    const Accessor uvs = attribute(glb, primitive, "TEXCOORD_0", 2);
+    if (uvs.count != positions.count) refuse("the attributes of a mesh differ in length", "meshes");
+    if (positions.count > static_cast<uint64_t>(limits.max_vertices))
+      throw Error{ErrorCode::limit, "the model has too many vertices", ""};
+    Model lines;
+    for (size_t i = 0; i < positions.count; ++i) {
+      lines.positions.push_back(read_point3(positions.at(i)));
+      lines.uvs.push_back({read_f32(uvs.at(i)), read_f32(uvs.at(i) + 4)});
+    }
+    const size_t indices = natural_member(primitive, "indices");
+    append_triangles(accessor_at(glb, indices, "SCALAR", 1), 0, limits, lines);
+    model.ink = {std::move(lines.positions), std::move(lines.uvs), std::move(lines.triangles)};
+  }
+}
+
 relief::DrawnModel read(ByteView bytes, const GlbLimits& limits) {
   const Glb glb = split_chunks(bytes, limits);
   relief::DrawnModel result;
   for (const Json& node : member(glb.json, "nodes"))
-    if (node.contains("mesh")) append_part(glb, node, limits, result.model);
+    if (node.contains("mesh")) {
+      if (is_ink(node))
+        append_ink(glb, node, limits, result.model);
+      else
+        append_part(glb, node, limits, result.model);
+    }
   if (Status status = check_exportable(result.model, 1); !status) throw Error(status.error());
   return_to_canvas(glb, result.model);
   if (Status status = check_exportable(result.model, 1); !status) throw Error(status.error());

@@ -138,6 +138,41 @@ std::vector<int> add_indices(Asset& asset, const std::vector<Submesh>& submeshes
   return accessors;
 }
 
+/// Adds a view with an N-vector per item, `get(i)`; returns its accessor.
+template <size_t N, class Get>
+int add_list(Asset& asset, size_t count, Get get) {
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  return add_vectors<N>(asset, {Submesh{0, std::move(all), {}}}, get).front();
+}
+
+/// Adds a node for the contours, with a material that needs no light and hides back faces.
+void add_ink(Asset& asset, const InkMesh& ink, const Placement& placement) {
+  const int positions = add_list<3>(asset, ink.positions.size(), [&](int v) {
+    return narrow(place(placement, ink.positions[v]));
+  });
+  const int uvs = add_list<2>(asset, ink.uvs.size(), [&](int v) {
+    return std::array<float, 2>{static_cast<float>(ink.uvs[v].x), static_cast<float>(ink.uvs[v].y)};
+  });
+  Submesh submesh;
+  submesh.vertices.resize(ink.positions.size());
+  for (const std::array<int, 3>& t : ink.triangles)
+    submesh.indices.insert(submesh.indices.end(), t.begin(), t.end());
+  const int indices = add_indices(asset, {submesh}).front();
+  OrderedJson primitive = {{"attributes", {{"POSITION", positions}, {"TEXCOORD_0", uvs}}},
+                           {"indices", indices},
+                           {"material", 1}};
+  asset.json["nodes"].push_back(
+      {{"name", "ink"}, {"mesh", asset.json["meshes"].size()}, {"extras", {{"ink", true}}}});
+  asset.json["meshes"].push_back(
+      {{"name", "ink"}, {"primitives", OrderedJson::array({std::move(primitive)})}});
+  asset.json["materials"].push_back(
+      {{"name", "ink"},
+       {"pbrMetallicRoughness", {{"metallicFactor", 0}}},
+       {"extensions", {{"KHR_materials_unlit", OrderedJson::object()}}}});
+  asset.json["extensionsUsed"] = {"KHR_materials_unlit"};
+}
+
 /// Adds a node for each part and one called `name` above them; a part alone takes that name.
 void add_nodes(Asset& asset, const Model& model, const Placement& placement,
                const std::string& name) {
@@ -168,7 +203,8 @@ void add_nodes(Asset& asset, const Model& model, const Placement& placement,
                                    {"mesh", i},
                                    {"extras", std::move(extras)}});
   }
-  std::vector<size_t> parts(submeshes.size());
+  if (!model.ink.triangles.empty()) add_ink(asset, model.ink, placement);
+  std::vector<size_t> parts(asset.json["nodes"].size());
   std::iota(parts.begin(), parts.end(), size_t{0});
   if (parts.size() > 1) asset.json["nodes"].push_back({{"name", name}, {"children", parts}});
   asset.json["scenes"][0]["nodes"] = {asset.json["nodes"].size() - 1};
@@ -190,7 +226,8 @@ Status add_texture(Asset& asset, const Model& model, const Drawing& drawing) {
   asset.json["images"] = OrderedJson::array({image});
   asset.json["samplers"] = OrderedJson::array({sampler});
   asset.json["textures"] = OrderedJson::array({texture});
-  asset.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  for (OrderedJson& material : asset.json["materials"])
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   return Done{};
 }
 

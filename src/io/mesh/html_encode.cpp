@@ -38,7 +38,7 @@ std::string escaped(const std::string& title) {
   return text;
 }
 
-/// Returns the vertices, centred in a box from -1 to 1.
+/// Returns the vertices of the surface, then those of its ink, centred in a box from -1 to 1.
 Bytes packed_vertices(const Model& model) {
   Placement placement = centred_placement(model, 2);
   const Box3 box = extent(model);
@@ -48,6 +48,10 @@ Bytes packed_vertices(const Model& model) {
     const Point3 p = place(placement, model.positions[v]);
     const Point3 n = file_normal(model.normals[v]);
     append_f32s(bytes, {p.x, p.y, p.z, n.x, n.y, n.z, model.uvs[v].x, model.uvs[v].y});
+  }
+  for (size_t v = 0; v < model.ink.positions.size(); ++v) {
+    const Point3 p = place(placement, model.ink.positions[v]);
+    append_f32s(bytes, {p.x, p.y, p.z, 0, 0, 1, model.ink.uvs[v].x, model.ink.uvs[v].y});
   }
   return bytes;
 }
@@ -66,8 +70,11 @@ Result<Bytes> encode_html(const Model& model, const Drawing* drawing, const std:
   Bytes triangles;
   for (const std::array<int, 3>& t : model.triangles)
     for (const int v : t) append_u32(triangles, static_cast<uint32_t>(v));
+  for (const std::array<int, 3>& t : model.ink.triangles)
+    for (const int v : t) append_u32(triangles, static_cast<uint32_t>(model.positions.size() + v));
   append_base64(html, triangles);
-  append_text(html, "\",\npicture: \"");
+  append_text(html, "\",\nink: " + std::to_string(3 * model.ink.triangles.size()));
+  append_text(html, ",\npicture: \"");
   if (drawing != nullptr && !drawing->rgba.empty()) {
     const auto png = encode_png(relief::model_texture(model, *drawing));
     if (!png) return png.error();

@@ -6,7 +6,8 @@ namespace relievo {
 
 /// Returns the page around its data. `vertices` are interleaved positions, normals and texture
 /// coordinates as single precision numbers, `triangles` 32-bit indices, both base64; `picture` is a
-/// data URL or empty, and `filter` the way to sample it, if that is not "LINEAR".
+/// data URL or empty, `ink` the number of indices at the end that are lines without light, seen from
+/// one side, and `filter` the way to sample it, if that is not "LINEAR".
 constexpr std::string_view viewer_head = R"(<!DOCTYPE html>
 <html lang="en">
 <meta charset="utf-8">
@@ -59,12 +60,12 @@ function link() {
     }`));
   gl.attachShader(program, compile(gl.FRAGMENT_SHADER, `
     precision mediump float;
-    uniform sampler2D picture;
+    uniform sampler2D picture; uniform float ink;
     varying vec3 n; varying vec2 st;
     void main() {
       vec3 m = normalize(n); if (!gl_FrontFacing) m = -m;
       float light = 0.55 + 0.15 * m.y + 0.45 * max(0.0, dot(m, normalize(vec3(-0.5, 0.6, 0.7))));
-      gl_FragColor = vec4(texture2D(picture, st).rgb * min(light, 1.15), 1.0);
+      gl_FragColor = vec4(texture2D(picture, st).rgb * mix(min(light, 1.15), 1.0, ink), 1.0);
     }`));
   gl.linkProgram(program);
   gl.useProgram(program);
@@ -101,7 +102,14 @@ function show() {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.uniform4f(gl.getUniformLocation(program, "turn"), Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch));
     gl.uniform3f(gl.getUniformLocation(program, "view"), least / width, least / height, zoom);
-    gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0);
+    const lit = indices.length - model.ink;
+    const ink = gl.getUniformLocation(program, "ink");
+    gl.uniform1f(ink, 0);
+    gl.disable(gl.CULL_FACE);
+    gl.drawElements(gl.TRIANGLES, lit, gl.UNSIGNED_INT, 0);
+    gl.uniform1f(ink, 1);
+    gl.enable(gl.CULL_FACE);
+    gl.drawElements(gl.TRIANGLES, indices.length - lit, gl.UNSIGNED_INT, 4 * lit);
   }
   const held = new Map();
   canvas.onpointerdown = (event) => {

@@ -22,6 +22,7 @@ double longest_side(const Box3& box) {
 Box3 extent(const Model& model) {
   Box3 box;
   for (const Point3 p : model.positions) box.add(p);
+  for (const Point3 p : model.ink.positions) box.add(p);
   return box;
 }
 

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
@@ -57,14 +58,27 @@ constexpr const char* usda_texture = R"(.connect = </relief/drawing/texture.outp
             float2 outputs:result
         }
     }
-}
 )";
 
 constexpr const char* usda_clay = R"( = (0.8, 0.75, 0.68)
             token outputs:surface
         }
     }
-}
+)";
+
+/// Lines show their own colour, whatever the light.
+constexpr const char* usda_ink = R"(    def Material "ink"
+    {
+        token outputs:surface.connect = </relief/finish/surface.outputs:surface>
+        def Shader "surface"
+        {
+            uniform token info:id = "UsdPreviewSurface"
+            float inputs:roughness = 1
+            color3f inputs:diffuseColor = (0, 0, 0)
+            color3f inputs:emissiveColor.connect = </relief/drawing/texture.outputs:rgb>
+            token outputs:surface
+        }
+    }
 )";
 
 void append_tuple(Bytes& usda, std::initializer_list<double> numbers) {
@@ -87,36 +101,54 @@ void append_array(Bytes& usda, const char* declaration, const char* end, Fill fi
   append_text(usda, std::string("]") + end + "\n");
 }
 
-void append_usd_mesh(Bytes& usda, const Model& model, double size_mm) {
-  const Placement placement = centred_placement(model, size_mm / 1000, true);
-  constexpr const char* per_vertex = " (interpolation = \"vertex\")";
-  append_text(usda,
-              "    def Mesh \"mesh\" (prepend apiSchemas = [\"MaterialBindingAPI\"])\n    {\n"
-              "        uniform bool doubleSided = 1\n"
-              "        uniform token subdivisionScheme = \"none\"\n"
-              "        rel material:binding = </relief/drawing>\n");
+/// Appends the start of a mesh.
+void append_usd_faces(Bytes& usda, const char* name, const char* material, bool double_sided,
+                      const std::vector<std::array<int, 3>>& triangles) {
+  append_text(usda, std::string("    def Mesh \"") + name +
+                        "\" (prepend apiSchemas = [\"MaterialBindingAPI\"])\n    {\n"
+                        "        uniform bool doubleSided = " +
+                        (double_sided ? "1" : "0") +
+                        "\n        uniform token subdivisionScheme = \"none\"\n"
+                        "        rel material:binding = </relief/" +
+                        material + ">\n");
   append_array(usda, "int[] faceVertexCounts", "", [&] {
-    for (size_t t = 0; t < model.triangles.size(); ++t) append_text(usda, "3, ");
+    for (size_t t = 0; t < triangles.size(); ++t) append_text(usda, "3, ");
   });
   append_array(usda, "int[] faceVertexIndices", "", [&] {
-    for (const std::array<int, 3>& t : model.triangles)
+    for (const std::array<int, 3>& t : triangles)
       for (const int v : t) append_text(usda, std::to_string(v) + ", ");
   });
+}
+
+constexpr const char* per_vertex = " (interpolation = \"vertex\")";
+
+void append_usd_points(Bytes& usda, const Placement& placement,
+                       const std::vector<Point3>& positions, const std::vector<Point2>& uvs) {
   append_array(usda, "point3f[] points", "", [&] {
-    for (const Point3& position : model.positions) {
+    for (const Point3& position : positions) {
       const Point3 p = place(placement, position);
       append_tuple(usda, {p.x, p.y, p.z});
     }
   });
+  append_array(usda, "texCoord2f[] primvars:st", per_vertex, [&] {
+    for (const Point2& uv : uvs) append_tuple(usda, {uv.x, 1 - uv.y});
+  });
+}
+
+void append_usd_meshes(Bytes& usda, const Model& model, double size_mm) {
+  const Placement placement = centred_placement(model, size_mm / 1000, true);
+  append_usd_faces(usda, "mesh", "drawing", true, model.triangles);
+  append_usd_points(usda, placement, model.positions, model.uvs);
   append_array(usda, "normal3f[] normals", per_vertex, [&] {
     for (const Point3& normal : model.normals) {
       const Point3 n = file_normal(normal);
       append_tuple(usda, {n.x, n.y, n.z});
     }
   });
-  append_array(usda, "texCoord2f[] primvars:st", per_vertex, [&] {
-    for (const Point2& uv : model.uvs) append_tuple(usda, {uv.x, 1 - uv.y});
-  });
+  append_text(usda, "    }\n");
+  if (model.ink.triangles.empty()) return;
+  append_usd_faces(usda, "lines", "ink", false, model.ink.triangles);
+  append_usd_points(usda, placement, model.ink.positions, model.ink.uvs);
   append_text(usda, "    }\n");
 }
 
@@ -208,9 +240,11 @@ Result<Bytes> encode_usdz(const Model& model, const Drawing* drawing, double siz
   entries[0].name = "relief.usda";
   Bytes& usda = entries[0].bytes;
   append_text(usda, usda_head);
-  append_usd_mesh(usda, model, size_mm);
+  append_usd_meshes(usda, model, size_mm);
   append_text(usda, usda_shader);
   append_text(usda, drawn ? usda_texture : usda_clay);
+  if (!model.ink.triangles.empty()) append_text(usda, usda_ink);
+  append_text(usda, "}\n");
   if (drawn) {
     auto png = encode_png(relief::model_texture(model, *drawing));
     if (!png) return png.error();

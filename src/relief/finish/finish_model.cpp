@@ -12,18 +12,18 @@
 #include "kernel/image/diffusion.h"
 #include "kernel/image/distance_transform.h"
 #include "kernel/image/morphology.h"
+#include "relief/finish/draw_in.h"
 #include "relief/finish/fill_triangle.h"
+#include "relief/finish/find_ink.h"
 #include "relief/finish/hidden_patches.h"
+#include "relief/finish/ink_mask.h"
+#include "relief/finish/ink_mesh.h"
 #include "relief/finish/ink_rims.h"
+#include "relief/finish/model_texture.h"
 #include "relief/finish/own_palette.h"
 
 namespace relievo::relief {
 namespace {
-
-/// Narrows the rims of whole parts: where parts end in walls, ink does not reach far down.
-void narrow_rims(Model& model, const Drawing& drawing) {
-  if (model.unfinished == Visibility::orbit) narrow_inked_rims(model, drawing);
-}
 
 // Tuned on the samples and on drawings on coloured paper.
 constexpr int blended = 3;          ///< px inside the outline that paper may blend into
@@ -136,14 +136,22 @@ Image8 with_slivers(const Image8& open, const Image8& rgba, const SpreadColours&
 /// Carries paint outwards from the pixels that certainly show paint, one pixel a step.
 class PaintCarrier {
  public:
-  /// `open`: 1 on pixels that the model does not cover.
-  PaintCarrier(const Image8& open, Image8& rgba)
+  /// `open`: 1 on pixels that the model does not cover. `ink`: 1 on contours. `front`: the part
+  /// seen at every pixel.
+  PaintCarrier(const Image8& open, const Image8& ink, Image16 front, Image8& rgba)
       : rgba_(rgba),
         paper_(paper_around(open, rgba)),
         open_(with_slivers(open, rgba, paper_)),
-        known_(beyond(open_, blended)) {
+        known_(beyond(open_, blended)),
+        front_(std::move(front)),
+        ink_(ink) {
     const Image8 out_of_reach = beyond(known_, blended + outside);
     for (size_t i = 0; i < known_.pixels.size(); ++i) {
+      if (ink.pixels[i] != 0) {
+        known_.pixels[i] = 0;
+        waiting_.push_back(static_cast<int>(i));
+        continue;
+      }
       const bool sliver = open_.pixels[i] != 0 && open.pixels[i] == 0;
       if (known_.pixels[i] == 0 && (sliver || out_of_reach.pixels[i] == 0))
         waiting_.push_back(static_cast<int>(i));
@@ -156,7 +164,7 @@ class PaintCarrier {
     for (const int i : waiting_) add_if_beside(i % known_.width, i / known_.width, found);
     for (const auto& [i, colour] : found) {
       known_.pixels[i] = 1;
-      if (open_.pixels[i] != 0 || is_blend(i, colour)) paint(i, colour);
+      if (open_.pixels[i] != 0 || ink_.pixels[i] != 0 || is_blend(i, colour)) paint(i, colour);
     }
     const auto is_known = [this](int i) { return known_.pixels[i] != 0; };
     waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_known), waiting_.end());
@@ -184,6 +192,8 @@ class PaintCarrier {
     for (int v = std::max(0, y - 1); v <= std::min(known_.height - 1, y + 1); ++v)
       for (int u = std::max(0, x - 1); u <= std::min(known_.width - 1, x + 1); ++u) {
         if (known_.at(u, v) == 0) continue;
+        if (ink_.at(x, y) != 0 && front_.at(x, y) != 0 && front_.at(u, v) != front_.at(x, y))
+          continue;
         const Colour colour = seen(v * known_.width + u);
         for (int c = 0; c < 3; ++c) sum[c] += colour[c];
         ++count;
@@ -195,38 +205,51 @@ class PaintCarrier {
 
   Image8& rgba_;
   SpreadColours paper_;
-  Image8 open_;               ///< the paper, with slivers
-  Image8 known_;              ///< the pixels that show paint
+  Image8 open_;    ///< the paper, with slivers
+  Image8 known_;   ///< the pixels that show paint
+  Image16 front_;  ///< the part seen at every pixel
+  const Image8& ink_;
   std::vector<int> waiting_;  ///< pixels still to reach
 };
 
 }  // namespace
 
-DrawnModel finish_model(Model model, Drawing drawing) {
+DrawnModel finish_model(Model model, Drawing drawing, Ink mode) {
   if (!model.unfinished) return {std::move(model), std::move(drawing)};
-  narrow_rims(model, drawing);
   model.unfinished.reset();
-  return dress_hidden(std::move(model), std::move(drawing));
+  if (drawing.rgba.empty() || mode == Ink::paint)
+    return dress_hidden(std::move(model), std::move(drawing));
+  const ContourInk ink = find_ink(model, drawing);
+  const bool shell = mode == Ink::shell && !ink.lines.empty();
+  const Image8 inked = shell ? outline_texture(model, drawing) : Image8{};
+  extend_paint(model, ink_mask(ink, model, drawing.rgba), drawing);
+  if (shell) draw_in(DrawIn(ink), model);
+  lay_patches(hidden_patches(model, drawing), model, drawing.rgba);
+  if (shell) add_ink(ink, inked, model, drawing.rgba);
+  return {std::move(model), std::move(drawing)};
 }
 
 DrawnModel finish_rims(Model model, Drawing drawing) {
-  narrow_rims(model, drawing);
-  extend_paint(model, drawing);
+  if (model.unfinished == Visibility::orbit) narrow_inked_rims(model, drawing);
+  extend_paint(model, {}, drawing);
   return {std::move(model), std::move(drawing)};
 }
 
 DrawnModel dress_hidden(Model model, Drawing drawing) {
   const HiddenPatches patches = hidden_patches(model, drawing);
-  extend_paint(model, drawing);
+  extend_paint(model, {}, drawing);
   lay_patches(patches, model, drawing.rgba);
   return {std::move(model), std::move(drawing)};
 }
 
-void extend_paint(const Model& model, Drawing& drawing) {
+void extend_paint(const Model& model, const Image8& ink, Drawing& drawing) {
   Image8& rgba = drawing.rgba;
   if (rgba.empty()) return;
   if (drawing.pixel_art > 0) return extend_own_pixels(model, drawing);
-  PaintCarrier carrier(uncovered_pixels(model, {rgba.width, rgba.height}), rgba);
+  const ImageSize size{rgba.width, rgba.height};
+  const Image8 none(rgba.width, rgba.height, 1);
+  PaintCarrier carrier(uncovered_pixels(model, size), ink.empty() ? none : ink,
+                       front_parts(model, size), rgba);
   while (carrier.step()) {
   }
 }

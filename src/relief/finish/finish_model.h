@@ -14,7 +14,7 @@ struct DrawnModel {
 /// Finishes a surface for files and pictures: of whole parts, inked rims are narrowed
 /// (narrow_inked_rims); paint continues over rims and hidden faces get colours (dress_hidden).
 /// Returns a model that is not `unfinished` as it is. Linear in pixels and triangles.
-DrawnModel finish_model(Model model, Drawing drawing);
+DrawnModel finish_model(Model model, Drawing drawing, Ink ink);
 
 /// Finishes the rims alone, for a view that colours hidden faces itself (hidden_colours): texture
 /// coordinates and the size of the drawing stay. Linear in pixels and triangles.
@@ -32,6 +32,6 @@ DrawnModel dress_hidden(Model model, Drawing drawing);
 /// colours further inside: surfaces are steep there, so that a fraction of a pixel shows as a broad
 /// strip of paper when the model is turned. The model's texture coordinates are on all of it.
 /// Pixel art is extended by whole squares (extend_own_pixels). O(pixels).
-void extend_paint(const Model& model, Drawing& drawing);
+void extend_paint(const Model& model, const Image8& ink, Drawing& drawing);
 
 }  // namespace relievo::relief

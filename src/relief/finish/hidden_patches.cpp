@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "kernel/geometry/polygon.h"
@@ -13,6 +12,7 @@
 #include "kernel/image/pixel_box.h"
 #include "relief/finish/fill_triangle.h"
 #include "relief/finish/own_palette.h"
+#include "relief/finish/place_tiles.h"
 
 namespace relievo::relief {
 namespace {
@@ -101,36 +101,8 @@ uint8_t colour_at(const HiddenPatch& patch, Point2 place, int channel) {
   return static_cast<uint8_t>(std::lround(mix(top, bottom, y - y0)));
 }
 
-/// px between the drawing and the patches, so that filtering does not mix their colours.
-constexpr int tile_gap = 8;
-
 /// The x and y of a patch's top left pixel in the picture.
 using PatchPlace = std::array<int, 2>;
-
-/// Places patches on shelves below a drawing, the high ones first. `height` grows from that of the
-/// drawing to that of all.
-std::vector<PatchPlace> place_patches(const std::vector<HiddenPatch>& patches, int width,
-                                      int& height) {
-  std::vector<int> order(patches.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&patches](int a, int b) {
-    return patches[a].rgb.height > patches[b].rgb.height;
-  });
-  std::vector<PatchPlace> places(patches.size());
-  int x = width;
-  int top = height;
-  for (const int k : order) {
-    const Image8& rgb = patches[k].rgb;
-    if (x + rgb.width > width) {
-      x = 0;
-      top = height + tile_gap;
-      height = top + rgb.height;
-    }
-    places[k] = {x, top};
-    x += rgb.width + tile_gap;
-  }
-  return places;
-}
 
 void paste_patch(const Image8& rgb, PatchPlace place, Image8& rgba) {
   const auto [left, top] = place;
@@ -261,7 +233,10 @@ std::vector<uint8_t> hidden_colours(const Model& model, const HiddenPatches& pat
 void lay_patches(const HiddenPatches& found, Model& model, Image8& rgba) {
   if (!found.patches.empty()) {
     const double drawn = rgba.height;
-    const std::vector<PatchPlace> places = place_patches(found.patches, rgba.width, rgba.height);
+    std::vector<ImageSize> sizes;
+    for (const HiddenPatch& patch : found.patches)
+      sizes.push_back({patch.rgb.width, patch.rgb.height});
+    const std::vector<PatchPlace> places = place_tiles(sizes, rgba.width, rgba.height);
     rgba.pixels.resize(static_cast<size_t>(rgba.width) * rgba.height * 4, 0);
     for (size_t k = 0; k < places.size(); ++k) paste_patch(found.patches[k].rgb, places[k], rgba);
     dress_parts(found, places, {rgba.width, rgba.height}, drawn / rgba.height, model);

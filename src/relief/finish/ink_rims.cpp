@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
+#include "relief/finish/floor.h"
 #include "relief/finish/rim_surroundings.h"
 
 namespace relievo::relief {

@@ -13,4 +13,8 @@ namespace relievo::relief {
 /// pixels and in faces times their size.
 Image8 model_texture(const Model& model, const Drawing& drawing);
 
+/// As model_texture, but all pixels outside the front view, opaque ones too, take the colour of the
+/// nearest inside: so that lines along the silhouette are not fringed by paper.
+Image8 outline_texture(const Model& model, const Drawing& drawing);
+
 }  // namespace relievo::relief

@@ -79,6 +79,32 @@ TEST(Glb, PartAloneHasTheNameOfTheFile) {
   EXPECT_EQ(decode_glb(bytes)->model.parts[0].id, hemisphere(10).parts[0].id);
 }
 
+TEST(Glb, InkIsAnUnlitMeshOfItsOwnThatHidesBackFaces) {
+  Model model = hemisphere(10);
+  model.ink = ink_rectangle({2, 3}, {9, 8}, 11, true);
+  const Drawing drawing = quarters();
+  const Bytes bytes = *encode_glb(model, &drawing, {}, "ball");
+  const ParsedGlb glb(bytes);
+  ASSERT_EQ(glb.json["nodes"].size(), 3U);
+  EXPECT_EQ(glb.json["nodes"][1]["name"], "ink");
+  EXPECT_EQ(glb.json["nodes"][2]["children"], Json::array({0, 1}));
+  const Json material = glb.json["materials"][glb.primitive(1)["material"].get<size_t>()];
+  EXPECT_EQ(material["name"], "ink");
+  EXPECT_FALSE(material.contains("doubleSided"));
+  EXPECT_TRUE(material["extensions"].contains("KHR_materials_unlit"));
+  EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorTexture"]["index"], 0);
+  EXPECT_EQ(glb.json["extensionsUsed"], Json::array({"KHR_materials_unlit"}));
+  const Model read = decode_glb(bytes)->model;
+  EXPECT_EQ(read.parts.size(), 1U);
+  EXPECT_EQ(read.triangles.size(), model.triangles.size());
+  EXPECT_EQ(read.ink.triangles, model.ink.triangles);
+  ASSERT_EQ(read.ink.positions.size(), 4U);
+  for (size_t v = 0; v < 4; ++v) {
+    EXPECT_LT(norm(read.ink.positions[v] - model.ink.positions[v]), 1e-5);
+    EXPECT_LT(distance(read.ink.uvs[v], model.ink.uvs[v]), 1e-6);
+  }
+}
+
 TEST(Glb, GroundedModelStandsOnTheGround) {
   for (const bool grounded : {false, true}) {
     const ParsedGlb glb(

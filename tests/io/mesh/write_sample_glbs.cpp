@@ -30,10 +30,13 @@ int main(int argc, char** argv) {
   unused_vertices.positions.push_back({0, 0, 0});
   unused_vertices.normals.push_back({0, 0, 0});
   unused_vertices.uvs.push_back({0, 0});
+  Model inked = composite();
+  inked.ink = ink_rectangle({20, 30}, {90, 40}, 50, false);
   const Status status = write_files({
       {folder / "plain.glb", *encode_glb(split_hemisphere(10), nullptr)},
       {folder / "textured.glb", *encode_glb(composite(), &drawing, {.size_mm = 250})},
       {folder / "large.glb", *encode_glb(hemisphere(100, 190), &drawing)},
+      {folder / "inked.glb", *encode_glb(inked, &drawing)},
       {folder / "unused.glb", *encode_glb(unused_vertices, &drawing)},
   });
   if (!status.ok()) std::fprintf(stderr, "%s\n", to_string(status.error()).c_str());
