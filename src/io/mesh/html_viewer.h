@@ -6,8 +6,8 @@ namespace relievo {
 
 /// Returns the page around its data. `vertices` are interleaved positions, normals and texture
 /// coordinates as single precision numbers, `triangles` 32-bit indices, both base64; `picture` is a
-/// data URL or empty, `ink` the number of indices at the end that are lines without light, seen from
-/// one side, and `filter` the way to sample it, if that is not "LINEAR".
+/// data URL or empty, `ink` the number of indices at the end that are lines without light, seen
+/// from one side, and `filter` the way to sample it, if that is not "LINEAR".
 constexpr std::string_view viewer_head = R"(<!DOCTYPE html>
 <html lang="en">
 <meta charset="utf-8">

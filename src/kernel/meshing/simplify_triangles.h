@@ -12,8 +12,8 @@ namespace relievo {
 /// collapsed along themselves alone, for which more triangles may remain. The surface moves by
 /// about `most_error` at most, in the units of positions. Returns the triangles left. Positions are
 /// rounded to single precision. O(n log n).
-std::vector<std::array<int, 3>> simplify_triangles(
-    const std::vector<Point3>& positions, const std::vector<std::array<int, 3>>& triangles,
-    size_t count, double most_error);
+std::vector<std::array<int, 3>> simplify_triangles(const std::vector<Point3>& positions,
+                                                   const std::vector<std::array<int, 3>>& triangles,
+                                                   size_t count, double most_error);
 
 }  // namespace relievo

@@ -12,6 +12,7 @@
 #include "kernel/image/diffusion.h"
 #include "kernel/image/distance_transform.h"
 #include "kernel/image/morphology.h"
+#include "relief/finish/cover_ink.h"
 #include "relief/finish/draw_in.h"
 #include "relief/finish/fill_triangle.h"
 #include "relief/finish/find_ink.h"
@@ -136,20 +137,16 @@ Image8 with_slivers(const Image8& open, const Image8& rgba, const SpreadColours&
 /// Carries paint outwards from the pixels that certainly show paint, one pixel a step.
 class PaintCarrier {
  public:
-  /// `open`: 1 on pixels that the model does not cover. `ink`: 1 on contours. `front`: the part
-  /// seen at every pixel.
-  PaintCarrier(const Image8& open, const Image8& ink, Image16 front, Image8& rgba)
+  /// `open`: 1 on pixels that the model does not cover. `settled`: 1 on pixels that stay.
+  PaintCarrier(const Image8& open, const Image8& settled, Image8& rgba)
       : rgba_(rgba),
         paper_(paper_around(open, rgba)),
         open_(with_slivers(open, rgba, paper_)),
-        known_(beyond(open_, blended)),
-        front_(std::move(front)),
-        ink_(ink) {
+        known_(beyond(open_, blended)) {
     const Image8 out_of_reach = beyond(known_, blended + outside);
     for (size_t i = 0; i < known_.pixels.size(); ++i) {
-      if (ink.pixels[i] != 0) {
-        known_.pixels[i] = 0;
-        waiting_.push_back(static_cast<int>(i));
+      if (settled.pixels[i] != 0) {
+        known_.pixels[i] = open.pixels[i] == 0 ? 1 : 0;
         continue;
       }
       const bool sliver = open_.pixels[i] != 0 && open.pixels[i] == 0;
@@ -164,7 +161,7 @@ class PaintCarrier {
     for (const int i : waiting_) add_if_beside(i % known_.width, i / known_.width, found);
     for (const auto& [i, colour] : found) {
       known_.pixels[i] = 1;
-      if (open_.pixels[i] != 0 || ink_.pixels[i] != 0 || is_blend(i, colour)) paint(i, colour);
+      if (open_.pixels[i] != 0 || is_blend(i, colour)) paint(i, colour);
     }
     const auto is_known = [this](int i) { return known_.pixels[i] != 0; };
     waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_known), waiting_.end());
@@ -192,8 +189,6 @@ class PaintCarrier {
     for (int v = std::max(0, y - 1); v <= std::min(known_.height - 1, y + 1); ++v)
       for (int u = std::max(0, x - 1); u <= std::min(known_.width - 1, x + 1); ++u) {
         if (known_.at(u, v) == 0) continue;
-        if (ink_.at(x, y) != 0 && front_.at(x, y) != 0 && front_.at(u, v) != front_.at(x, y))
-          continue;
         const Colour colour = seen(v * known_.width + u);
         for (int c = 0; c < 3; ++c) sum[c] += colour[c];
         ++count;
@@ -205,53 +200,60 @@ class PaintCarrier {
 
   Image8& rgba_;
   SpreadColours paper_;
-  Image8 open_;    ///< the paper, with slivers
-  Image8 known_;   ///< the pixels that show paint
-  Image16 front_;  ///< the part seen at every pixel
-  const Image8& ink_;
+  Image8 open_;               ///< the paper, with slivers
+  Image8 known_;              ///< the pixels that show paint
   std::vector<int> waiting_;  ///< pixels still to reach
 };
+
+/// Carries the paint over the outline of a model, but for pixels that are settled.
+void extend_paint(const Model& model, const Image8& settled, Image8& rgba) {
+  PaintCarrier carrier(uncovered_pixels(model, {rgba.width, rgba.height}), settled, rgba);
+  while (carrier.step()) {
+  }
+}
+
+/// Takes the contours off a drawing: the paint goes on under them and beyond the outline.
+void take_off_ink(const Model& model, const ContourInk& ink, Image8& rgba) {
+  const Image8 mask = ink_mask(ink, model, rgba);
+  const Image8 near = complement(beyond(mask, blended + outside));
+  cover_ink(front_parts(model, {rgba.width, rgba.height}), mask, near, rgba);
+  extend_paint(model, near, rgba);
+}
 
 }  // namespace
 
 DrawnModel finish_model(Model model, Drawing drawing, Ink mode) {
   if (!model.unfinished) return {std::move(model), std::move(drawing)};
   model.unfinished.reset();
-  if (drawing.rgba.empty() || mode == Ink::paint)
-    return dress_hidden(std::move(model), std::move(drawing));
-  const ContourInk ink = find_ink(model, drawing);
-  const bool shell = mode == Ink::shell && !ink.lines.empty();
-  const Image8 inked = shell ? outline_texture(model, drawing) : Image8{};
-  extend_paint(model, ink_mask(ink, model, drawing.rgba), drawing);
-  if (shell) draw_in(DrawIn(ink), model);
-  lay_patches(hidden_patches(model, drawing), model, drawing.rgba);
-  if (shell) add_ink(ink, inked, model, drawing.rgba);
+  const ContourInk ink = mode == Ink::paint ? ContourInk{} : find_ink(model, drawing);
+  if (ink.lines.empty()) return dress_hidden(std::move(model), std::move(drawing));
+  Image8& rgba = drawing.rgba;
+  const Image8 inked = outline_texture(model, drawing);
+  take_off_ink(model, ink, rgba);
+  if (mode == Ink::shell) draw_in(DrawIn(ink), model);
+  lay_patches(hidden_patches(model, drawing), model, rgba);
+  if (mode == Ink::shell) add_ink(ink, inked, model, rgba);
   return {std::move(model), std::move(drawing)};
 }
 
 DrawnModel finish_rims(Model model, Drawing drawing) {
   if (model.unfinished == Visibility::orbit) narrow_inked_rims(model, drawing);
-  extend_paint(model, {}, drawing);
+  extend_paint(model, drawing);
   return {std::move(model), std::move(drawing)};
 }
 
 DrawnModel dress_hidden(Model model, Drawing drawing) {
   const HiddenPatches patches = hidden_patches(model, drawing);
-  extend_paint(model, {}, drawing);
+  extend_paint(model, drawing);
   lay_patches(patches, model, drawing.rgba);
   return {std::move(model), std::move(drawing)};
 }
 
-void extend_paint(const Model& model, const Image8& ink, Drawing& drawing) {
+void extend_paint(const Model& model, Drawing& drawing) {
   Image8& rgba = drawing.rgba;
   if (rgba.empty()) return;
   if (drawing.pixel_art > 0) return extend_own_pixels(model, drawing);
-  const ImageSize size{rgba.width, rgba.height};
-  const Image8 none(rgba.width, rgba.height, 1);
-  PaintCarrier carrier(uncovered_pixels(model, size), ink.empty() ? none : ink,
-                       front_parts(model, size), rgba);
-  while (carrier.step()) {
-  }
+  extend_paint(model, Image8(rgba.width, rgba.height, 1), rgba);
 }
 
 }  // namespace relievo::relief

@@ -32,6 +32,6 @@ DrawnModel dress_hidden(Model model, Drawing drawing);
 /// colours further inside: surfaces are steep there, so that a fraction of a pixel shows as a broad
 /// strip of paper when the model is turned. The model's texture coordinates are on all of it.
 /// Pixel art is extended by whole squares (extend_own_pixels). O(pixels).
-void extend_paint(const Model& model, const Image8& ink, Drawing& drawing);
+void extend_paint(const Model& model, Drawing& drawing);
 
 }  // namespace relievo::relief

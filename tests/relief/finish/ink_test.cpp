@@ -3,10 +3,10 @@
 #include <cmath>
 #include <set>
 
-#include "relief/finish/finish_model.h"
 #include "relief/finish/draw_in.h"
 #include "relief/finish/fill_triangle.h"
 #include "relief/finish/find_ink.h"
+#include "relief/finish/finish_model.h"
 #include "relief/finish/inked_discs.h"
 #include "relief/finish/open_outlines.h"
 

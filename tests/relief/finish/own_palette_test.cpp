@@ -74,7 +74,7 @@ TEST(OwnPalette, WholeSquaresAreCarriedOverTheOutline) {
   const Model model = assemble(make_discs({lower_disc}, wide, high, 6), Visibility::orbit);
   Drawing drawing = checked_discs(true);
   const Drawing before = drawing;
-  extend_paint(model, {}, drawing);
+  extend_paint(model, drawing);
   for (int y = 0; y < high; ++y)
     for (int x = 0; x < wide; ++x) {
       const Point2 middle{own * (x / own + 0.5), own * (y / own + 0.5)};
