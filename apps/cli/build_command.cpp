@@ -42,13 +42,13 @@ struct Products {
   std::vector<std::string> warnings;
 };
 
-/// How models are made.
+/// A way to make models.
 struct Making {
   bool solid = false;
   Ink ink = Ink::shell;
 };
 
-/// Returns what becomes of contours in pictures.
+/// Returns the treatment of contours in pictures.
 Ink pictured_ink(const BuildArguments& build) { return build.relief.ink.value_or(Ink::shell); }
 
 /// Selects the models that are solids if `solid`, or the surfaces.
@@ -62,11 +62,17 @@ std::vector<std::string> models_of(const BuildArguments& build, bool solid) {
   return names;
 }
 
+/// Returns the ways to make models. Solids keep their contours as paint, so there is one of them.
+std::vector<Making> ways_to_make(const BuildArguments& build) {
+  return {
+      {false, Ink::paint}, {false, Ink::none}, {false, Ink::shell}, {true, pictured_ink(build)}};
+}
+
 /// Selects the models that are made in one way.
 std::vector<std::string> models_of(const BuildArguments& build, Making making) {
   std::vector<std::string> names = models_of(build, making.solid);
   std::erase_if(names, [&](const std::string& name) {
-    return build.relief.ink.value_or(usual_ink(name)) != making.ink;
+    return !making.solid && build.relief.ink.value_or(usual_ink(name)) != making.ink;
   });
   return names;
 }
@@ -144,9 +150,9 @@ Status add_models(Products& products, const BuildArguments& build, Making making
     for (const std::string& name : names) {
       const std::string file = level_name(name, level);
       const ExportOptions options = {
-          share * size, build.grounded,  texture_size(build, drawing, level),
-          standing,     build.filaments, build.slicer,
-          making.ink};
+          share * size,    build.grounded,  texture_size(build, drawing, level),
+          standing,        build.filaments, build.slicer,
+          build.relief.ink};
       auto files = export_model(written, drawing, file, options);
       if (!files) return files.error();
       std::move(files->begin(), files->end(), std::back_inserter(products.outputs.files));
@@ -175,18 +181,15 @@ Status add_pictures(Products& products, const BuildArguments& build, const RunCo
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
                   const relief::Relief& relief, const RunContext& context) {
   const bool pictures = !build.preview.empty() || !build.carve_map.empty();
-  for (const bool solid : {false, true})
-    for (const Ink ink : {Ink::paint, Ink::none, Ink::shell}) {
-      const std::vector<std::string> names = models_of(build, Making{solid, ink});
-      const bool pictured =
-          pictures && build.relief.solid.value_or(false) == solid && ink == pictured_ink(build);
-      if (names.empty() && !pictured) continue;
-      if (Status s = add_models(products, build, Making{solid, ink}, names, input, relief, context);
-          !s)
-        return s;
-      if (!pictured) continue;
-      if (Status s = add_pictures(products, build, context); !s) return s;
-    }
+  for (const Making making : ways_to_make(build)) {
+    const std::vector<std::string> names = models_of(build, making);
+    const bool pictured = pictures && build.relief.solid.value_or(false) == making.solid &&
+                          making.ink == pictured_ink(build);
+    if (names.empty() && !pictured) continue;
+    if (Status s = add_models(products, build, making, names, input, relief, context); !s) return s;
+    if (!pictured) continue;
+    if (Status s = add_pictures(products, build, context); !s) return s;
+  }
   return Done{};
 }
 

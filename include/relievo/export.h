@@ -44,7 +44,7 @@ inline bool holds_shells(const std::filesystem::path& path) {
   return ending == ".glb" || ending == ".usdz" || ending == ".html";
 }
 
-/// Returns what becomes of contours in a file if nothing else is said: shells where it can hold
+/// Returns the treatment of contours in a file if no other is chosen: shells where it can hold
 /// them, none where it is for a printer, paint in others.
 inline Ink usual_ink(const std::filesystem::path& path) {
   return holds_shells(path) ? Ink::shell : is_for_print(path) ? Ink::none : Ink::paint;
@@ -53,10 +53,11 @@ inline Ink usual_ink(const std::filesystem::path& path) {
 /// Encodes a model in the format given by the ending of `path`: .glb (metres, Y up, drawing
 /// embedded, the root node named after the file), .obj with its .mtl and .png, .ply (mm, Y up),
 /// .stl and, for closed models, .3mf (mm, Z up, lying on the plate), .usdz (for phones), or .html
-/// (a page that shows the model). A surface of Session::model is finished first: inked rims are
-/// narrowed, and faces behind other parts get colours of their own, for which the picture is larger
-/// than the drawing. The bytes are those of `relievo build`. Errors: `usage` for another ending, or
-/// a size or number out of range, `bad_input` for a model without triangles or extent, `limit`.
+/// (a page that shows the model). A surface of Session::model is finished first: contours
+/// become lines (Ink), and faces behind other parts get colours of their own, for which the picture
+/// is larger than the drawing. The bytes are those of `relievo build`. Errors: `usage` for another
+/// ending, or a size or number out of range, `bad_input` for a model without triangles or extent,
+/// `limit`.
 Result<std::vector<OutputFile>> export_model(const Model& model, const Drawing& drawing,
                                              const std::filesystem::path& path,
                                              const ExportOptions& options = {});

@@ -36,7 +36,7 @@ struct ModelPart {
   int seen_end() const { return end() - hidden_count; }
 };
 
-/// What becomes of the contours of a drawing, the ink along the outlines of its parts.
+/// The treatment of the contours of a drawing, the ink along the outlines of its parts.
 enum class Ink {
   shell,  ///< lines that turn with the model: a mesh of their own (Model::ink)
   paint,  ///< colours of the surface, as drawn: bands on its sides when the model is turned
@@ -63,7 +63,7 @@ struct Model {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
   std::vector<ModelPart> parts;               ///< back to front; their triangles are disjoint runs
   InkMesh ink;                                ///< empty if no contours are drawn
-  /// The faces kept, for a surface whose inked rims and hidden triangles export_model still has to
+  /// The faces kept, for a surface whose contours and hidden triangles export_model still has to
   /// finish. Empty for models that are written as they are, such as solids.
   std::optional<Visibility> unfinished{};
 

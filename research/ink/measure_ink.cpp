@@ -2,6 +2,7 @@
 // ink is left on lit surfaces when the model is turned.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -27,14 +28,6 @@ namespace {
 constexpr int rays_per_side = 4;  ///< per pixel of the front view
 constexpr int turned_side = 800;  ///< px of turned views
 
-struct Albedo {
-  bool hit = false;
-  bool is_ink = false;
-  int triangle = 0;
-  Point2 uv;
-  std::array<double, 3> rgb{255, 255, 255};
-};
-
 /// Returns the colour of the nearest pixel of a texture.
 std::array<double, 3> texel(const Image8& rgba, Point2 uv) {
   const int x = std::clamp(static_cast<int>(uv.x * rgba.width), 0, rgba.width - 1);
@@ -43,27 +36,13 @@ std::array<double, 3> texel(const Image8& rgba, Point2 uv) {
   return {1.0 * on_paper(c[0], c[3]), 1.0 * on_paper(c[1], c[3]), 1.0 * on_paper(c[2], c[3])};
 }
 
-Albedo look(const Model& model, const Drawing& drawing, const RayScene& scene, Point3 from,
-            Point3 direction) {
-  const auto hit = scene.first_hit(from, direction);
-  if (!hit) return {};
-  Point2 uv;
-  if (hit->is_ink)
-    uv = ink_place(model.ink, *hit);
-  else
-    for (size_t k = 0; k < 3; ++k) {
-      const double w = k == 0 ? 1 - hit->u - hit->v : k == 1 ? hit->u : hit->v;
-      uv = uv + w * model.uvs[model.triangles[hit->triangle][k]];
-    }
-  return {true, hit->is_ink, hit->triangle, uv, texel(drawing.rgba, uv)};
-}
-
 double far_of(const Model& model) {
   Box3 box;
   for (const Point3 p : model.positions) box.add(p);
   return norm(box.sides()) + norm(box.max) + norm(box.min);
 }
 
+/// A front view without light.
 struct Front {
   Image8 rgb;
   ImageF cover;
@@ -83,9 +62,11 @@ Front front_view(const Model& model, const Drawing& drawing, const RayScene& sce
         const double v = (s / rays_per_side + 0.5) / rays_per_side;
         const Point3 from{(x + u) / width * model.width,
                           model.height - (y + v) / height * model.height, far};
-        const Albedo a = look(model, drawing, scene, from, {0, 0, -1});
-        hits += a.hit ? 1 : 0;
-        for (size_t k = 0; k < 3; ++k) sum[k] += a.rgb[k];
+        const auto hit = scene.first_hit(from, {0, 0, -1});
+        hits += hit ? 1 : 0;
+        const std::array<double, 3> paper{255, 255, 255};
+        const auto rgb = hit ? texel(drawing.rgba, texture_place(model, *hit)) : paper;
+        for (size_t k = 0; k < 3; ++k) sum[k] += rgb[k];
       }
       constexpr double all = rays_per_side * rays_per_side;
       front.cover.at(x, y) = static_cast<float>(hits / all);
@@ -95,7 +76,7 @@ Front front_view(const Model& model, const Drawing& drawing, const RayScene& sce
   return front;
 }
 
-/// What turned views show, in pixels of turned_side.
+/// A turned view, in pixels.
 struct Turned {
   double figure = 0;  ///< pixels of the model
   double dark = 0;    ///< pixels of lit surface that show the ink of outlines
@@ -119,18 +100,16 @@ Turned turned_view(const Model& model, const Drawing& drawing, const RayScene& s
       if (!hit || hit->is_ink) continue;
       ++turned.figure;
       Point2 at;
-      Point2 uv;
       for (size_t k = 0; k < 3; ++k) {
         const double w = k == 0 ? 1 - hit->u - hit->v : k == 1 ? hit->u : hit->v;
         const int v = model.triangles[hit->triangle][k];
         at = at + w * Point2{model.positions[v].x, model.positions[v].y};
-        uv = uv + w * model.uvs[v];
       }
       const int px =
           std::clamp(static_cast<int>(at.x / model.width * band.width), 0, band.width - 1);
       const int py =
           std::clamp(static_cast<int>((1 - at.y / model.height) * band.height), 0, band.height - 1);
-      const auto rgb = texel(drawing.rgba, uv);
+      const auto rgb = texel(drawing.rgba, texture_place(model, *hit));
       if (band.at(px, py) != 0 && (rgb[0] + rgb[1] + rgb[2]) / 3 < darkest) ++turned.dark;
     }
   return turned;
@@ -167,17 +146,6 @@ bool measure(const std::string& drawing_path, const std::string& model_path) {
   const Front front = front_view(glb->model, glb->drawing, *scene, rgba.width, rgba.height);
   const Front full = front_view(*surface, drawn->drawing, *whole, rgba.width, rgba.height);
   Image8 shown = front.rgb;
-  if (std::getenv("RELIEVO_LINES"))
-    for (int y = 0; y < rgba.height; ++y)
-      for (int x = 0; x < rgba.width; ++x) {
-        const Point3 from{(x + .5) / rgba.width * glb->model.width,
-                          glb->model.height - (y + .5) / rgba.height * glb->model.height,
-                          far_of(glb->model)};
-        const Albedo a = look(glb->model, glb->drawing, *scene, from, {0, 0, -1});
-        shown.at(x, y, 0) = a.is_ink ? 255 : 200;
-        shown.at(x, y, 1) = band.at(x, y) ? 0 : 200;
-        shown.at(x, y, 2) = 200;
-      }
   double wrong = 0;
   double figure = 0;
   double common = 0;

@@ -6,6 +6,7 @@
 
 #include "kernel/geometry/box3.h"
 #include "kernel/meshing/simplify_triangles.h"
+#include "kernel/meshing/vertex_numbering.h"
 
 namespace relievo {
 namespace {
@@ -23,29 +24,25 @@ struct Pieces {
 
 Pieces take_apart(const Model& model) {
   Pieces pieces;
-  std::vector<int> local(model.positions.size(), -1);
+  VertexNumbering numbers(model.positions.size());
   for (size_t p = 0; p < model.parts.size(); ++p) {
     const ModelPart& part = model.parts[p];
-    const size_t first = pieces.source.size();
+    const int first = static_cast<int>(pieces.source.size());
     for (int t = part.first_triangle; t < part.end(); ++t) {
-      std::array<int, 3> triangle = model.triangles[t];
-      for (int& v : triangle) {
-        if (local[v] < 0) {
-          local[v] = static_cast<int>(pieces.source.size());
-          pieces.positions.push_back(model.positions[v]);
-          pieces.source.push_back(v);
-          pieces.part.push_back(static_cast<int>(p));
-        }
-        v = local[v];
-      }
-      pieces.triangles.push_back(triangle);
+      const auto [a, b, c] = numbers.of(model.triangles[t]);
+      pieces.triangles.push_back({first + a, first + b, first + c});
     }
-    for (size_t i = first; i < pieces.source.size(); ++i) local[pieces.source[i]] = -1;
+    for (const int v : numbers.given()) {
+      pieces.positions.push_back(model.positions[v]);
+      pieces.source.push_back(v);
+      pieces.part.push_back(static_cast<int>(p));
+    }
+    numbers.restart();
   }
   return pieces;
 }
 
-/// Returns the model of the indices that are left.
+/// Returns the model of the triangles that are left.
 Model put_together(const Model& model, const Pieces& pieces) {
   Model result;
   result.width = model.width;
@@ -54,24 +51,20 @@ Model put_together(const Model& model, const Pieces& pieces) {
   std::vector<std::vector<size_t>> triangles(model.parts.size());
   for (size_t t = 0; t < pieces.triangles.size(); ++t)
     triangles[pieces.part[pieces.triangles[t][0]]].push_back(t);
-  std::vector<int> number(model.positions.size(), -1);
-  const auto number_of = [&](int v) {
-    if (number[v] < 0) {
-      number[v] = static_cast<int>(result.positions.size());
-      result.positions.push_back(model.positions[v]);
-      result.normals.push_back(model.normals[v]);
-      result.uvs.push_back(model.uvs[v]);
-    }
-    return number[v];
-  };
+  VertexNumbering numbers(model.positions.size());
   for (size_t p = 0; p < triangles.size(); ++p) {
     result.parts[p].first_triangle = static_cast<int>(result.triangles.size());
     result.parts[p].triangle_count = static_cast<int>(triangles[p].size());
     for (const size_t t : triangles[p]) {
-      std::array<int, 3> triangle = pieces.triangles[t];
-      for (int& v : triangle) v = number_of(pieces.source[v]);
-      result.triangles.push_back(triangle);
+      const auto [a, b, c] = pieces.triangles[t];
+      result.triangles.push_back(
+          numbers.of({pieces.source[a], pieces.source[b], pieces.source[c]}));
     }
+  }
+  for (const int v : numbers.given()) {
+    result.positions.push_back(model.positions[v]);
+    result.normals.push_back(model.normals[v]);
+    result.uvs.push_back(model.uvs[v]);
   }
   return result;
 }
@@ -79,17 +72,12 @@ Model put_together(const Model& model, const Pieces& pieces) {
 /// Simplifies lines and leaves out vertices without triangles.
 InkMesh simplify_ink(const InkMesh& ink, size_t triangles, double error) {
   InkMesh result;
-  std::vector<int> number(ink.positions.size(), -1);
-  for (std::array<int, 3> t : simplify_triangles(ink.positions, ink.triangles, triangles, error)) {
-    for (int& v : t) {
-      if (number[v] < 0) {
-        number[v] = static_cast<int>(result.positions.size());
-        result.positions.push_back(ink.positions[v]);
-        result.uvs.push_back(ink.uvs[v]);
-      }
-      v = number[v];
-    }
-    result.triangles.push_back(t);
+  VertexNumbering numbers(ink.positions.size());
+  for (const auto& t : simplify_triangles(ink.positions, ink.triangles, triangles, error))
+    result.triangles.push_back(numbers.of(t));
+  for (const int v : numbers.given()) {
+    result.positions.push_back(ink.positions[v]);
+    result.uvs.push_back(ink.uvs[v]);
   }
   return result;
 }

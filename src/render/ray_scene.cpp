@@ -128,10 +128,11 @@ bool RayScene::blocked(Point3 origin, Point3 direction, double length) const {
   return ray.tfar < 0;
 }
 
-Point2 ink_place(const InkMesh& ink, const RayHit& hit) {
-  const std::array<int, 3>& corners = ink.triangles[hit.triangle];
-  return (1 - hit.u - hit.v) * ink.uvs[corners[0]] + hit.u * ink.uvs[corners[1]] +
-         hit.v * ink.uvs[corners[2]];
+Point2 texture_place(const Model& model, const RayHit& hit) {
+  const auto& triangles = hit.is_ink ? model.ink.triangles : model.triangles;
+  const std::vector<Point2>& uvs = hit.is_ink ? model.ink.uvs : model.uvs;
+  const auto [a, b, c] = triangles[hit.triangle];
+  return (1 - hit.u - hit.v) * uvs[a] + hit.u * uvs[b] + hit.v * uvs[c];
 }
 
 SurfacePoint surface_point(const Model& model, const RayHit& hit, Point3 back, double lift) {

@@ -45,8 +45,8 @@ struct SurfacePoint {
   Point2 uv;
 };
 
-/// Returns the texture coordinates at which a ray has hit ink.
-Point2 ink_place(const InkMesh& ink, const RayHit& hit);
+/// Returns the texture coordinates at which a ray has hit a model or its ink.
+Point2 texture_place(const Model& model, const RayHit& hit);
 
 /// Returns the point that a ray towards -`back` has hit. Rays from a flat triangle of a rounded
 /// surface would meet its neighbours near the border of the light; therefore they begin `lift`

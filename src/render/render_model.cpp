@@ -191,7 +191,7 @@ void render_pixel(const Renderer& renderer, int x, int y, uint8_t* rgba) {
     if (!hit) continue;
     ++hits;
     if (hit->is_ink) {
-      sum = sum + renderer.texture->at(ink_place(renderer.model.ink, *hit));
+      sum = sum + renderer.texture->at(texture_place(renderer.model, *hit));
       continue;
     }
     const SurfacePoint point =

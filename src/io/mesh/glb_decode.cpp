@@ -229,13 +229,13 @@ void return_to_canvas(const Glb& glb, Model& model) {
   const auto extras = scene.find("extras");
   const bool recorded = extras != scene.end() && extras->contains("canvas");
   const Placement placement = recorded ? recorded_canvas(*extras, model) : fitted_canvas(model);
-  for (Point3& p : model.ink.positions) p = (1 / placement.scale) * p + placement.origin;
-  for (Point3& p : model.positions) {
-    p = (1 / placement.scale) * p + placement.origin;
-    // A NaN fails this comparison.
-    if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= max_extent))
-      refuse("a vertex lies too far from the canvas", "positions");
-  }
+  for (std::vector<Point3>* positions : {&model.positions, &model.ink.positions})
+    for (Point3& p : *positions) {
+      p = (1 / placement.scale) * p + placement.origin;
+      // A NaN fails this comparison.
+      if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= max_extent))
+        refuse("a vertex lies too far from the canvas", "positions");
+    }
 }
 
 /// Returns whether a texture is shown without smoothing, as pixel art is.

@@ -65,6 +65,11 @@ Status check_exportable(const Model& model, double size_mm) {
   if (!std::isfinite(size_mm) || size_mm <= 0)
     return Error{ErrorCode::usage, "the size of the model must be above 0 mm", ""};
   if (model.triangles.empty()) return Error{ErrorCode::bad_input, "the model has no triangles", ""};
+  for (size_t v = 0; v < model.ink.positions.size(); ++v)
+    if (!is_finite(model.ink.positions[v]) || !is_finite(model.ink.uvs[v]))
+      return Error{ErrorCode::bad_input,
+                   "the ink has a vertex with a coordinate that is not finite",
+                   "vertex " + std::to_string(v)};
   for (size_t v = 0; v < model.positions.size(); ++v)
     if (!is_finite(model.positions[v]) || !is_finite(model.normals[v]) || !is_finite(model.uvs[v]))
       return Error{ErrorCode::bad_input,

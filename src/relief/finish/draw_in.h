@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/meshing/segment_grid.h"
 #include "relief/finish/find_ink.h"
+#include "relief/finish/rim_surroundings.h"
 #include "relievo/point.h"
 
 namespace relievo::relief {
@@ -21,21 +21,19 @@ class DrawIn {
   explicit DrawIn(const ContourInk& ink);
 
   /// Returns whether it moves nothing.
-  bool empty() const { return !grid_; }
+  bool empty() const { return !outlines_; }
 
   /// Returns the image of a place, canvas px, y up. O(outline points nearby).
   Point2 moved(Point2 place) const;
 
  private:
-  struct Source {
-    Point2 place;
-    Point2 move;
-    double reach = 0;
+  struct Move {
+    Point2 by;         ///< canvas px
+    double reach = 0;  ///< canvas px
   };
 
-  std::vector<Source> sources_;
-  double reach_ = 0;  ///< canvas px, the greatest
-  std::optional<SegmentGrid> grid_;
+  std::vector<Move> moves_;  ///< by outline point
+  std::optional<BesideRim> outlines_;
 };
 
 /// Moves the vertices of a model, and with them their texture coordinates, which lie on the

@@ -228,11 +228,12 @@ DrawnModel finish_model(Model model, Drawing drawing, Ink mode) {
   const ContourInk ink = mode == Ink::paint ? ContourInk{} : find_ink(model, drawing);
   if (ink.lines.empty()) return dress_hidden(std::move(model), std::move(drawing));
   Image8& rgba = drawing.rgba;
-  const Image8 inked = outline_texture(model, drawing);
+  const bool lines = mode == Ink::shell;
+  const Image8 inked = lines ? outline_texture(model, drawing) : Image8{};
   take_off_ink(model, ink, rgba);
-  if (mode == Ink::shell) draw_in(DrawIn(ink), model);
+  if (lines) draw_in(DrawIn(ink), model);
   lay_patches(hidden_patches(model, drawing), model, rgba);
-  if (mode == Ink::shell) add_ink(ink, inked, model, rgba);
+  if (lines) add_ink(ink, inked, model, rgba);
   return {std::move(model), std::move(drawing)};
 }
 

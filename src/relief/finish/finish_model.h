@@ -11,13 +11,14 @@ struct DrawnModel {
   Drawing drawing;
 };
 
-/// Finishes a surface for files and pictures: of whole parts, inked rims are narrowed
-/// (narrow_inked_rims); paint continues over rims and hidden faces get colours (dress_hidden).
-/// Returns a model that is not `unfinished` as it is. Linear in pixels and triangles.
+/// Finishes a surface for files and pictures. Contours become lines, stay in the paint or are left
+/// out, as `ink` says; paint continues over rims, and hidden faces get colours (dress_hidden).
+/// Returns a model that is not `unfinished` as it is. Near-linear in pixels and triangles.
 DrawnModel finish_model(Model model, Drawing drawing, Ink ink);
 
-/// Finishes the rims alone, for a view that colours hidden faces itself (hidden_colours): texture
-/// coordinates and the size of the drawing stay. Linear in pixels and triangles.
+/// Finishes the rims alone (narrow_inked_rims, extend_paint), for a view that colours hidden faces
+/// itself (hidden_colours): texture coordinates and the size of the drawing stay. Linear in pixels
+/// and triangles.
 DrawnModel finish_rims(Model model, Drawing drawing);
 
 /// Gives triangles hidden behind other parts colours of their own, which the drawing does not have.

@@ -10,6 +10,7 @@
 
 #include "kernel/image/pixel_box.h"
 #include "kernel/meshing/simplify_triangles.h"
+#include "kernel/meshing/vertex_numbering.h"
 #include "relief/finish/floor.h"
 #include "relief/finish/place_tiles.h"
 
@@ -31,35 +32,15 @@ struct Piece {
   PixelBox box;
 };
 
-/// Numbers vertices in the order of their first use.
-class Numbering {
- public:
-  explicit Numbering(size_t vertices) : number_(vertices, -1) {}
-
-  std::array<int, 3> of(std::array<int, 3> triangle) {
-    for (int& v : triangle) {
-      if (number_[v] < 0) {
-        number_[v] = static_cast<int>(given_.size());
-        given_.push_back(v);
-      }
-      v = number_[v];
-    }
-    return triangle;
-  }
-
-  /// Returns the vertex of every number.
-  const std::vector<int>& given() const { return given_; }
-
- private:
-  std::vector<int> number_;
-  std::vector<int> given_;
-};
-
 /// Builds the lines. Their texture coordinates are px of the picture.
 class InkBuilder {
  public:
   InkBuilder(const ContourInk& ink, const Image8& inked, const Model& model)
-      : ink_(ink), inked_(inked), model_(model), scale_(inked.width / model.width) {
+      : ink_(ink),
+        inked_(inked),
+        model_(model),
+        scale_(inked.width / model.width),
+        numbers_(model.positions.size()) {
     for (const InkLine& line : ink.lines) cut_line(line);
   }
 
@@ -107,18 +88,19 @@ class InkBuilder {
         pieces_.push_back(piece);
       }
     };
+    const auto grow = [&](Box2 by, const OutlinePoint& p) {
+      for (const Point2 end : across(p)) by.add(on_drawing(end));
+      return by;
+    };
     for (const OutlinePoint& p : points) {
-      Box2 grown = box;
-      for (const Point2 end : across(p)) grown.add(on_drawing(end));
+      Box2 grown = grow(box, p);
       const double breadth = scale_ * (p.inside + p.outside);
       const Point2 sides = grown.max - grown.min;
       if (piece.points.size() > 1 && std::min(sides.x, sides.y) > tile_side + breadth) {
         finish();
         const OutlinePoint last = piece.points.back();
         piece.points = {last};
-        grown = {};
-        for (const Point2 end : across(last)) grown.add(on_drawing(end));
-        for (const Point2 end : across(p)) grown.add(on_drawing(end));
+        grown = grow(grow({}, last), p);
       }
       piece.points.push_back(p);
       box = grown;
@@ -196,26 +178,28 @@ class InkBuilder {
   /// Adds the shell of a part, with fewer triangles than the part has.
   void add_shell(const ModelPart& part, const std::vector<double>& width,
                  const std::array<int, 2>& place) {
-    Numbering local(model_.positions.size());
+    numbers_.restart();
     std::vector<std::array<int, 3>> triangles;
     for (int t = part.first_triangle; t < part.end(); ++t)
-      triangles.push_back(local.of(model_.triangles[t]));
+      triangles.push_back(numbers_.of(model_.triangles[t]));
     std::vector<Point3> positions;
-    for (const int v : local.given()) positions.push_back(model_.positions[v]);
     double least = std::numeric_limits<double>::infinity();
-    for (const int v : local.given()) least = std::min(least, width[v]);
+    for (const int v : numbers_.given()) {
+      positions.push_back(model_.positions[v]);
+      least = std::min(least, width[v]);
+    }
     triangles =
         simplify_triangles(positions, triangles,
                            static_cast<size_t>(shell_share * static_cast<double>(triangles.size())),
                            shell_error * least);
-    Numbering kept(positions.size());
+    VertexNumbering kept(positions.size());
     const int first = static_cast<int>(mesh_.positions.size());
     for (const std::array<int, 3>& t : triangles) {
       const auto [a, b, c] = kept.of(t);
       mesh_.triangles.push_back({first + c, first + b, first + a});
     }
     for (const int k : kept.given()) {
-      const int v = local.given()[k];
+      const int v = numbers_.given()[k];
       mesh_.positions.push_back(model_.positions[v] + width[v] * model_.normals[v]);
       mesh_.uvs.push_back({place[0] + 0.5 * swatch, place[1] + 0.5 * swatch});
     }
@@ -225,6 +209,7 @@ class InkBuilder {
   const Image8& inked_;
   const Model& model_;
   double scale_;  ///< px of the drawing per px of the canvas
+  VertexNumbering numbers_;
   std::vector<Piece> pieces_;
   std::vector<std::array<int, 2>> places_;  ///< of the pieces and of a plain colour for each part
   InkMesh mesh_;
@@ -233,7 +218,6 @@ class InkBuilder {
 }  // namespace
 
 void add_ink(const ContourInk& ink, const Image8& inked, Model& model, Image8& picture) {
-  if (ink.lines.empty()) return;
   const double drawn = picture.height;
   model.ink = InkBuilder(ink, inked, model).build(picture);
   for (Point2& uv : model.uvs) uv.y *= drawn / picture.height;

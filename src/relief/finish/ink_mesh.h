@@ -8,10 +8,10 @@ namespace relievo::relief {
 
 /// Makes lines of the ink that draw_in has left out of a surface. A ribbon fills each contour as it
 /// is drawn: it begins at the drawn-in outline and faces the viewer, at the outline's height or
-/// just above what lies behind. A shell, the surface once more, pushed out by the width of its
-/// ink and turned inside out, draws the contour of other views. The colours are added below
-/// the picture, and texture coordinates of the model follow. `inked`: the drawing with its ink,
-/// three channels.
+/// just above what lies behind. A shell, the surface once more, pushed out by the width of its ink
+/// and turned inside out, draws the contour of other views. Their colours are added below the
+/// picture, and texture coordinates of the model follow. `inked`: the drawing with its ink, three
+/// channels. Precondition: there are lines. O(n log n) for n triangles.
 void add_ink(const ContourInk& ink, const Image8& inked, Model& model, Image8& picture);
 
 }  // namespace relievo::relief

@@ -15,7 +15,7 @@ struct HalfEdge {
   int part = 0;
 };
 
-/// Returns the edges without a twin, by part and first vertex.
+/// Returns the edges whose twin is missing or belongs to a part behind, by part and first vertex.
 std::vector<HalfEdge> open_edges(const Model& model) {
   std::vector<HalfEdge> edges;
   edges.reserve(3 * model.triangles.size());

@@ -7,7 +7,7 @@
 
 namespace relievo::relief {
 
-/// A chain of edges at which the surface of a part is open.
+/// A chain of edges along the outline of a part.
 struct OpenOutline {
   int part = 0;
   bool closed = false;
@@ -15,8 +15,9 @@ struct OpenOutline {
   std::vector<Point2> out;    ///< by vertex, unit, out of the part in the plane, y up
 };
 
-/// Returns the chains along which a model is open, by part: the edges with one triangle. Zero where
-/// no direction leads out. O(n log n) for n triangles.
+/// Returns the outlines of a model, by part: the edges with one triangle, and those where a part
+/// borders on one behind it, as at joins. `out` is zero where no direction leads out of the part.
+/// O(n log n) for n triangles.
 std::vector<OpenOutline> open_outlines(const Model& model);
 
 }  // namespace relievo::relief

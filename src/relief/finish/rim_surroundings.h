@@ -35,6 +35,9 @@ class BesideRim {
     });
   }
 
+  /// Returns how far the rim is looked for, canvas px.
+  double reach() const { return reach_; }
+
   /// Returns the distance to the rim, `reach` at most.
   double distance_to(Point2 place) const {
     double nearest = reach_;
@@ -58,8 +61,11 @@ class BesideRim {
   }
 
   /// Returns a smooth weight, 1 at the rim and 0 at `reach`.
-  double share_at(double distance) const {
-    const double t = distance / reach_;
+  double share_at(double distance) const { return share_within(distance, reach_); }
+
+  /// The same for another reach.
+  static double share_within(double distance, double reach) {
+    const double t = std::min(1.0, distance / reach);
     return (1 - t * t) * (1 - t * t);
   }
 

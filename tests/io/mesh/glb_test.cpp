@@ -105,6 +105,12 @@ TEST(Glb, InkIsAnUnlitMeshOfItsOwnThatHidesBackFaces) {
   }
 }
 
+TEST(Glb, InkThatIsNotFiniteIsRefused) {
+  Model model = hemisphere(10);
+  model.ink = ink_rectangle({2, 3}, {9, 8}, NAN, true);
+  EXPECT_EQ(encode_glb(model, nullptr).error().code, ErrorCode::bad_input);
+}
+
 TEST(Glb, GroundedModelStandsOnTheGround) {
   for (const bool grounded : {false, true}) {
     const ParsedGlb glb(

@@ -135,8 +135,8 @@ TEST(DrawIn, TakesTouchingVerticesAlong) {
       EXPECT_LT(distance(map.moved(p.place), p.place - p.inside * p.out), 0.5) << p.place.x;
 }
 
-/// What the front view of a finished model shows at the middles of pixels: 0 nothing, 1 paint, 2
-/// ink, by the greatest height.
+/// Returns the front view of a finished model, by the greatest height at the middles of pixels: 0
+/// nothing, 1 paint, 2 ink.
 Image8 front_of(const Model& model, ImageSize size) {
   Image8 shown(size.width, size.height, 1);
   ImageF height(size.width, size.height, 1, -1e9F);
