@@ -62,17 +62,14 @@ std::vector<std::string> models_of(const BuildArguments& build, bool solid) {
   return names;
 }
 
-/// Returns the ways to make models. Solids keep their contours as paint, so there is one of them.
-std::vector<Making> ways_to_make(const BuildArguments& build) {
-  return {
-      {false, Ink::paint}, {false, Ink::none}, {false, Ink::shell}, {true, pictured_ink(build)}};
-}
+constexpr Making ways_to_make[] = {{false, Ink::paint}, {false, Ink::none}, {false, Ink::shell},
+                                   {true, Ink::paint},  {true, Ink::none},  {true, Ink::shell}};
 
 /// Selects the models that are made in one way.
 std::vector<std::string> models_of(const BuildArguments& build, Making making) {
   std::vector<std::string> names = models_of(build, making.solid);
   std::erase_if(names, [&](const std::string& name) {
-    return !making.solid && build.relief.ink.value_or(usual_ink(name)) != making.ink;
+    return build.relief.ink.value_or(usual_ink(name)) != making.ink;
   });
   return names;
 }
@@ -181,7 +178,7 @@ Status add_pictures(Products& products, const BuildArguments& build, const RunCo
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
                   const relief::Relief& relief, const RunContext& context) {
   const bool pictures = !build.preview.empty() || !build.carve_map.empty();
-  for (const Making making : ways_to_make(build)) {
+  for (const Making making : ways_to_make) {
     const std::vector<std::string> names = models_of(build, making);
     const bool pictured = pictures && build.relief.solid.value_or(false) == making.solid &&
                           making.ink == pictured_ink(build);

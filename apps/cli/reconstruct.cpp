@@ -89,7 +89,9 @@ Result<relief::Relief> reconstruct(SceneInput& input, const ReliefArguments& arg
 Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& input,
                              const ReliefArguments& arguments, Ink ink, const RunContext& context) {
   if (arguments.solid.value_or(false)) {
-    auto solid = solid_of(relief, input.scene, input.drawing, arguments.solid_options, context);
+    SolidOptions solid_options = arguments.solid_options;
+    solid_options.ink = ink;
+    auto solid = solid_of(relief, input.scene, input.drawing, solid_options, context);
     if (!solid) return solid.error();
     return MadeModel{{std::move(solid->model), std::move(solid->drawing)}, solid->facts};
   }

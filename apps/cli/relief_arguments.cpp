@@ -130,9 +130,9 @@ void add_visibility(CLI::App& app, ReliefArguments& relief) {
       ->excludes(visible);
   add_choice(
       app, "--ink", relief.ink,
-      "Contours of a surface: shell makes them lines that turn with the model (the default of "
-      ".glb, .usdz, .html and pictures); paint leaves them in the colours of its sides (.obj, "
-      ".ply); none lets the paint go on to the outline (.stl). Solids keep them as paint",
+      "Contours: shell makes them lines that turn with the model (the default of .glb, .usdz, "
+      ".html and pictures); paint leaves them in the colours of its sides (.obj, .ply); none lets "
+      "the paint go on to the outline (.stl, .3mf)",
       {{"shell", Ink::shell}, {"paint", Ink::paint}, {"none", Ink::none}});
   add_solid_options(app, relief);
 }

@@ -38,6 +38,7 @@ struct SolidOptions {
   double hole = 0;       ///< mm, diameter of a hole in the plate to hang it by; 0: none
   double ring = 0;       ///< mm, diameter of a hole in a loop at the plate's top; 0: none
   double cutter = 0;     ///< mm, height above the plate of a thin wall around it; 0: none
+  Ink ink = Ink::none;   ///< shells are for pictures and games: they are no part of the body
 };
 
 /// What choices are called on the command line, in Python and in the browser.

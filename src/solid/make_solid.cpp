@@ -10,7 +10,8 @@
 
 #include "kernel/base/disjoint_sets.h"
 #include "kernel/geometry/box3.h"
-#include "relief/finish/ink_rims.h"
+#include "relief/finish/finish_sheet.h"
+#include "relief/finish/ink_mesh.h"
 #include "solid/back_paint.h"
 #include "solid/compress_heights.h"
 #include "solid/field_rim.h"
@@ -100,15 +101,6 @@ Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& 
   return add_around(wall, options.thickness + options.cutter, part, uv, field);
 }
 
-/// Narrows inked rims of a figure; its back comes forward as far as its front goes back.
-void narrow_rims(const Drawing& drawing, relief::VisibleSheet& sheet) {
-  Model& model = sheet.model;
-  std::vector<double> rise;
-  for (const Point3& p : model.positions) rise.push_back(-p.z);
-  relief::narrow_inked_rims(model, drawing);
-  for (size_t v = 0; v < rise.size(); ++v) sheet.back[v].z -= rise[v] + model.positions[v].z;
-}
-
 Status check_lengths(const SolidOptions& options) {
   for (const auto& [name, length, least, most, text] : solid_lengths) {
     const double value = options.*length;
@@ -177,12 +169,10 @@ GridPoint low_corner(const HeightField& field) {
 
 /// Makes the solid of a limb, on the grid's origin. Appends x and the mirrored z of its
 /// points up to a level to `feet`.
-Result<SolidLimb> make_limb(const FieldMaker& maker, const Drawing& drawing,
-                            const relief::LimbSheet& limb, const std::vector<ModelPart>& parts,
-                            int64_t level, std::vector<GridPoint>& feet) {
-  relief::VisibleSheet sheet = limb.sheet;
-  narrow_rims(drawing, sheet);
-  HeightField field = maker.field_of(sheet);
+Result<SolidLimb> make_limb(const FieldMaker& maker, const relief::LimbSheet& limb,
+                            const std::vector<ModelPart>& parts, int64_t level,
+                            std::vector<GridPoint>& feet) {
+  HeightField field = maker.field_of(limb.sheet);
   if (Status status = maker.repair(field); !status) return status.error();
   const FieldEdges edges = connect_field(field);
   if (Status status = maker.add_back(edges, field); !status) return status.error();
@@ -211,10 +201,17 @@ void move_limbs(GridPoint low, double unit, std::vector<SolidLimb>& limbs) {
                      unit * static_cast<double>(limb.low.y - low.y), 0};
 }
 
+/// A solid, and the corner of its box on the grid, which is the solid's origin.
+struct PlacedSolid {
+  Solid solid;
+  GridPoint low;
+  double pictured = 1;  ///< the picture's share of v; plain colours lie below
+};
+
 /// Makes the solid of a sheet whose place is known.
-Result<Solid> make_placed(const relief::VisibleSheet& sheet,
-                          const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
-                          const SolidOptions& options, const GridPlacement& placement) {
+Result<PlacedSolid> make_placed(const relief::VisibleSheet& sheet,
+                                const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
+                                const SolidOptions& options, const GridPlacement& placement) {
   const bool figure = options.back != BackSide::flat;
   const bool standing = stands(options);
   const std::vector<ModelPart> parts =
@@ -235,7 +232,7 @@ Result<Solid> make_placed(const relief::VisibleSheet& sheet,
   std::vector<SolidLimb> mirrored;
   std::vector<GridPoint> feet;
   for (const relief::LimbSheet& limb : limbs) {
-    auto made = make_limb(maker, drawing, limb, parts, lowest(field), feet);
+    auto made = make_limb(maker, limb, parts, lowest(field), feet);
     if (!made) return made.error();
     mirrored.push_back(std::move(*made));
   }
@@ -246,12 +243,33 @@ Result<Solid> make_placed(const relief::VisibleSheet& sheet,
   settle_heights(edges, field);
   auto model = raise_walls(field, edges, parts, paint);
   if (!model) return model.error();
-  Solid solid{std::move(*model), std::move(paint.drawing), find_pieces(field, parts)};
-  move_limbs(low_corner(field), field.unit, mirrored);
+  PlacedSolid made{{std::move(*model), std::move(paint.drawing), find_pieces(field, parts)},
+                   low_corner(field),
+                   paint.shrink};
+  Solid& solid = made.solid;
+  move_limbs(made.low, field.unit, mirrored);
   if (Status status = unite_with_limbs(mirrored, field.unit, paint.parts, solid); !status)
     return status.error();
   solid.facts.volume = volume_of(solid.model);
-  return solid;
+  return made;
+}
+
+/// Adds the contours of the drawing to a solid.
+void add_contours(const relief::TakenInk& ink, const Model& surface, const SolidOptions& options,
+                  const GridPlacement& placement, PlacedSolid& made) {
+  if (ink.contours.lines.empty()) return;
+  const Point3 scale{placement.scale, placement.scale, placement.height_scale};
+  const Point3 o = placement.origin;
+  const double unit = placement.unit;
+  relief::SolidPlace place{
+      scale,
+      {-scale.x * o.x - unit * static_cast<double>(made.low.x),
+       -scale.y * o.y - unit * static_cast<double>(made.low.y), -scale.z * o.z},
+      made.pictured};
+  if (options.back == BackSide::flat)
+    place.ground = options.base == BaseShape::none ? 0 : options.thickness;
+  relief::add_ink(ink.contours, ink.inked, surface, place, made.solid.model,
+                  made.solid.drawing.rgba);
 }
 
 /// Returns the factor by which the scale of a figure on a base must grow for the whole to have its
@@ -278,13 +296,10 @@ double missing_growth(const Solid& solid, const SolidOptions& options) {
 
 }  // namespace
 
-Result<Solid> make_solid(const relief::VisibleSheet& given,
-                         const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
-                         const SolidOptions& options) {
+Result<Solid> make_solid(relief::VisibleSheet sheet, const std::vector<relief::LimbSheet>& limbs,
+                         Drawing drawing, const SolidOptions& options) {
   if (Status status = check_options(options); !status) return status.error();
-  const bool figure = options.back != BackSide::flat;
-  relief::VisibleSheet sheet = given;
-  if (figure) narrow_rims(drawing, sheet);
+  const relief::TakenInk ink = relief::finish_sheet(options.ink, sheet.model, drawing);
   auto placement = place_on_grid(sheet, limbs, options);
   if (!placement) return placement.error();
   if (options.detail && placement->height_scale < placement->scale) {
@@ -294,14 +309,16 @@ Result<Solid> make_solid(const relief::VisibleSheet& given,
     placement = place_on_grid(sheet, limbs, options);
     if (!placement) return placement.error();
   }
-  auto solid = make_placed(sheet, limbs, drawing, options, *placement);
-  for (int fits = 1; solid && stands(options) && fits < most_fits; ++fits) {
-    const double growth = missing_growth(*solid, options);
+  auto made = make_placed(sheet, limbs, drawing, options, *placement);
+  for (int fits = 1; made && stands(options) && fits < most_fits; ++fits) {
+    const double growth = missing_growth(made->solid, options);
     if (std::abs(growth - 1) <= size_slack) break;
     grow(growth, *placement);
-    solid = make_placed(sheet, limbs, drawing, options, *placement);
+    made = make_placed(sheet, limbs, drawing, options, *placement);
   }
-  return solid;
+  if (!made) return made.error();
+  add_contours(ink, sheet.model, options, *placement, *made);
+  return std::move(made->solid);
 }
 
 }  // namespace relievo

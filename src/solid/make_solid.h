@@ -14,8 +14,7 @@ namespace relievo {
 /// base, for which the drawing gets a strip of plain colour at its lower end. `limbs` are mirrored
 /// to the far side. Fails with usage if size, thickness and margin leave no room, options exclude
 /// each other, or a limb does not become one solid with the figure. Near-linear in triangles.
-Result<Solid> make_solid(const relief::VisibleSheet& given,
-                         const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
-                         const SolidOptions& options);
+Result<Solid> make_solid(relief::VisibleSheet sheet, const std::vector<relief::LimbSheet>& limbs,
+                         Drawing drawing, const SolidOptions& options);
 
 }  // namespace relievo

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "relief/finish/find_ink.h"
 #include "relievo/image.h"
 #include "relievo/model.h"
+#include "relievo/point.h"
 
 namespace relievo::relief {
 
@@ -13,5 +16,21 @@ namespace relievo::relief {
 /// picture, and texture coordinates of the model follow. `inked`: the drawing with its ink, three
 /// channels. Precondition: there are lines. O(n log n) for n triangles.
 void add_ink(const ContourInk& ink, const Image8& inked, Model& model, Image8& picture);
+
+/// The place of a surface in a solid: scale * position + shift. The solid's texture coordinates lie
+/// on the picture up to v = `pictured`, and on plain colours below.
+struct SolidPlace {
+  Point3 scale;
+  Point3 shift;
+  double pictured = 1;
+  /// The height of the plate in the solid. Without it nothing lies behind the silhouette, and the
+  /// shell alone draws that.
+  std::optional<double> ground{};
+};
+
+/// The same for a solid, which is drawn in first. Ribbons lie over what is behind: other parts of
+/// `surface`, or the plate. The shell goes around the solid, whose last parts may have no ink.
+void add_ink(const ContourInk& ink, const Image8& inked, Model surface, const SolidPlace& place,
+             Model& solid, Image8& picture);
 
 }  // namespace relievo::relief
