@@ -119,7 +119,7 @@ void solid(State& state, const std::string& name, int vertices) { hold(state, na
 
 SolidOptions as_figure() {
   SolidOptions options;
-  options.back = BackSide::drawing;
+  options.back = BackSide::mirror;
   return options;
 }
 

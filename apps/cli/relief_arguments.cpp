@@ -144,7 +144,7 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
              "--profile",
              [&relief](const std::string& name) {
                relief.solid = name != "relief";
-               relief.solid_options.back = name == "figure" ? BackSide::drawing : BackSide::flat;
+               relief.solid_options.back = name == "figure" ? BackSide::plain : BackSide::flat;
              },
              "relief writes the surface alone (the default); solid a closed body with a flat back, "
              "to print or carve (the default for .stl and .3mf); figure a closed body with a back "
@@ -156,11 +156,12 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
              [&solid](const std::string& name) {
                if (solid.back == BackSide::flat)
                  throw CLI::ValidationError("--back applies to figures: add --profile figure");
-               if (name == "parts") solid.back = BackSide::parts;
+               for (const auto& [choice, side] : back_sides)
+                 if (name == choice) solid.back = side;
              },
-             "Colours on the back of a figure: drawing (the default), or parts, the mean colour of "
-             "each part")
-          ->check(CLI::IsMember({"drawing", "parts"})),
+             "Back of a figure: plain, the paint of its parts without marks such as a face (the "
+             "default); mirror, the drawing again; or parts, the mean colour of each part")
+          ->check(CLI::IsMember({"plain", "mirror", "drawing", "parts"})),
       app.add_option("--mirror", solid.mirror,
                      "Adds a copy of a limb to the far side of a figure: the id of a part that is "
                      "joined to one behind it (repeatable)")

@@ -19,9 +19,10 @@ enum class BaseShape {
 
 /// What lies behind a solid.
 enum class BackSide {
-  flat,     ///< the plate
-  drawing,  ///< its parts again, from behind, with the drawing on them: a figure
-  parts,    ///< likewise, each part with the mean of its colours
+  flat,    ///< the plate
+  plain,   ///< its parts again, from behind: a figure. Their paint, without marks such as a face
+  mirror,  ///< likewise, with the drawing on them, mirrored
+  parts,   ///< likewise, each part with the mean of its colours
 };
 
 struct SolidOptions {
@@ -47,7 +48,11 @@ inline constexpr std::pair<const char*, BaseShape> base_shapes[] = {{"none", Bas
                                                                     {"plate", BaseShape::plate},
                                                                     {"round", BaseShape::round}};
 inline constexpr std::pair<const char*, BackSide> back_sides[] = {
-    {"flat", BackSide::flat}, {"drawing", BackSide::drawing}, {"parts", BackSide::parts}};
+    {"flat", BackSide::flat},
+    {"plain", BackSide::plain},
+    {"mirror", BackSide::mirror},
+    {"drawing", BackSide::mirror},  // its former name
+    {"parts", BackSide::parts}};
 
 /// A length among the options.
 struct SolidLength {

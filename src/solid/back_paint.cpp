@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "solid/paint_behind.h"
+
 namespace relievo {
 namespace {
 
@@ -90,19 +92,32 @@ std::vector<Point2> add_cells(const std::vector<Colour>& colours, Image8& rgba) 
 
 }  // namespace
 
-BackPaint paint_back(const Drawing& drawing, const Model& model, BackSide side) {
+BackPaint paint_back(const Drawing& drawing, const relief::VisibleSheet& sheet, BackSide side) {
   if (drawing.rgba.empty()) return {};
+  const Model& model = sheet.model;
+  const bool pixel_art = drawing.pixel_art > 0;
+  // Averages would be colours that pixel art does not have.
+  if (side == BackSide::plain && pixel_art) side = BackSide::parts;
   std::vector<Colour> colours;
   if (side == BackSide::parts)
     for (const ModelPart& part : model.parts)
-      colours.push_back(drawing.pixel_art > 0 ? most_colour(model, part, drawing.rgba)
-                                              : mean_colour(model, part, drawing.rgba));
+      colours.push_back(pixel_art ? most_colour(model, part, drawing.rgba)
+                                  : mean_colour(model, part, drawing.rgba));
   colours.push_back(base_colour);
   BackPaint painted{drawing};
-  painted.parts = add_cells(colours, painted.drawing.rgba);
+  Image8& rgba = painted.drawing.rgba;
+  if (side == BackSide::plain) {
+    const Image8 behind = paint_behind(sheet, drawing);
+    rgba.pixels.insert(rgba.pixels.end(), behind.pixels.begin(), behind.pixels.end());
+    rgba.height += behind.height;
+  }
+  const double pictured = rgba.height;
+  painted.parts = add_cells(colours, rgba);
   painted.plate = painted.parts.back();
   if (side != BackSide::parts) painted.parts.clear();
-  painted.shrink = static_cast<double>(drawing.rgba.height) / painted.drawing.rgba.height;
+  painted.shrink = static_cast<double>(drawing.rgba.height) / rgba.height;
+  painted.pictured = pictured / rgba.height;
+  painted.behind = painted.pictured - painted.shrink;
   return painted;
 }
 

@@ -30,7 +30,7 @@ namespace {
 
 constexpr double least_gap = 0.05;    ///< mm between sides that would touch in a point
 constexpr double least_depth = 0.4;   ///< mm of a figure; its back is lowered for that
-constexpr double soft_share = 0.015;  ///< width of ramps on a figure's back, of its size
+constexpr double soft_share = 0.04;  ///< width of ramps on a figure's back, of its size
 constexpr double size_slack = 0.001;  ///< by which a figure on a base may miss its size
 constexpr int most_fits = 4;          ///< times that a figure is made to get its size
 
@@ -216,7 +216,7 @@ Result<PlacedSolid> make_placed(const relief::VisibleSheet& sheet,
   const bool standing = stands(options);
   const std::vector<ModelPart> parts =
       figure && !standing ? sheet.model.parts : parts_with_base(sheet.model);
-  BackPaint paint = paint_back(drawing, sheet.model, options.back);
+  BackPaint paint = paint_back(drawing, sheet, options.back);
   const FieldMaker maker{options, placement, paint};
   HeightField field = maker.field_of(sheet);
   const int base = static_cast<int>(parts.size()) - 1;
@@ -245,7 +245,7 @@ Result<PlacedSolid> make_placed(const relief::VisibleSheet& sheet,
   if (!model) return model.error();
   PlacedSolid made{{std::move(*model), std::move(paint.drawing), find_pieces(field, parts)},
                    low_corner(field),
-                   paint.shrink};
+                   paint.pictured};
   Solid& solid = made.solid;
   move_limbs(made.low, field.unit, mirrored);
   if (Status status = unite_with_limbs(mirrored, field.unit, paint.parts, solid); !status)

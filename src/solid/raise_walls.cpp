@@ -160,8 +160,9 @@ class WallRaiser {
         const int point = field_.vertex_point[v];
         const auto [at, fresh] = vertices.try_emplace({point, part}, 0);
         if (fresh)
-          at->second = add_vertex(point, 0, normals[point],
-                                  paint_.parts.empty() ? field_.uvs[v] : paint_.parts[part]);
+          at->second = add_vertex(
+              point, 0, normals[point],
+              paint_.parts.empty() ? field_.uvs[v] + Point2{0, paint_.behind} : paint_.parts[part]);
         v = at->second;
       }
       triangles_[part].push_back(corners);

@@ -155,7 +155,7 @@ TEST(CheckPrint, KnowsWhatHangsOver) {
   for (const Point3 p : sheet.model.positions) sheet.back.push_back({-p.z, 0});
   SolidOptions options;
   options.size = 80;
-  options.back = BackSide::drawing;
+  options.back = BackSide::mirror;
   const auto solid = make_solid(sheet, {}, options);
   ASSERT_TRUE(solid.ok());
   const auto findings = check_print(solid->model, {}, nozzle);

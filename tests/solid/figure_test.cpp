@@ -19,7 +19,7 @@ namespace {
 
 using namespace testing;
 
-SolidOptions figure_of(double size, BackSide back = BackSide::drawing) {
+SolidOptions figure_of(double size, BackSide back = BackSide::mirror) {
   SolidOptions options;
   options.size = size;
   options.back = back;
@@ -54,7 +54,7 @@ TEST(Figure, OfABallIsOne) {
 }
 
 TEST(Figure, HasTheDrawingOrThePartsColoursBehind) {
-  for (const BackSide side : {BackSide::drawing, BackSide::parts}) {
+  for (const BackSide side : {BackSide::mirror, BackSide::parts}) {
     const auto solid = make_solid(whole_ball(), quarters(), figure_of(80, side));
     ASSERT_TRUE(solid.ok());
     const Model& model = solid->model;

@@ -26,7 +26,7 @@ using namespace testing;
 
 constexpr double unit = 1.0 / 65536;
 
-SolidOptions figure_with(std::vector<std::string> limbs, BackSide back = BackSide::drawing) {
+SolidOptions figure_with(std::vector<std::string> limbs, BackSide back = BackSide::mirror) {
   SolidOptions options;
   options.size = 128;
   options.back = back;
@@ -113,7 +113,7 @@ TEST(Mirror, GivesALegToTheFarSide) {
 }
 
 TEST(Mirror, WearsThePaintOfTheLimb) {
-  for (const BackSide side : {BackSide::drawing, BackSide::parts}) {
+  for (const BackSide side : {BackSide::mirror, BackSide::parts}) {
     const auto solid = figure_of(body_and_leg(), figure_with({"leg"}, side), quarters());
     ASSERT_TRUE(solid.ok()) << to_string(solid.error());
     const Model& model = solid->model;
@@ -125,7 +125,7 @@ TEST(Mirror, WearsThePaintOfTheLimb) {
         if (model.normals[v].z > -0.5 || model.positions[v].y > 60) continue;
         ++behind;
         EXPECT_EQ(model.uvs[v].y > seam, side == BackSide::parts);
-        if (side == BackSide::drawing) {
+        if (side == BackSide::mirror) {
           EXPECT_NEAR(400 * model.uvs[v].x, 100 + model.positions[v].x * 220 / 128, 3);
         }
       }

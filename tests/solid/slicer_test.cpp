@@ -68,7 +68,7 @@ TEST(Slicer, SlicesSolidsAndFiguresOfAllDrawings) {
     SCOPED_TRACE(path);
     const DrawnRelief drawn = relief_of(path, {});
     const relief::VisibleSheet sheet = sheet_of(drawn.scene, drawn.relief);
-    for (const BackSide back : {BackSide::flat, BackSide::drawing}) {
+    for (const BackSide back : {BackSide::flat, BackSide::mirror}) {
       SolidOptions options;
       options.back = back;
       const auto solid = make_solid(sheet, drawn.drawing, options);

@@ -49,7 +49,7 @@ TEST(SolidSamples, AreClosed) {
 
 SolidOptions as_figure() {
   SolidOptions options;
-  options.back = BackSide::drawing;
+  options.back = BackSide::mirror;
   return options;
 }
 

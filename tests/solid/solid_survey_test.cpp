@@ -54,9 +54,9 @@ std::vector<Tally> kinds() {
   kinds[1].kind = "solid on a plate";
   kinds[1].options.base = BaseShape::plate;
   kinds[2].kind = "figure";
-  kinds[2].options.back = BackSide::drawing;
+  kinds[2].options.back = BackSide::mirror;
   kinds[3].kind = "figure on a disc";
-  kinds[3].options.back = BackSide::drawing;
+  kinds[3].options.back = BackSide::mirror;
   kinds[3].options.base = BaseShape::round;
   return kinds;
 }
@@ -144,7 +144,7 @@ TEST(SolidSurvey, DrawingsAreClosedAndTheirMirroredLimbs) {
     const auto relief = relief::build_relief(drawn->scene, options);
     ASSERT_TRUE(relief.ok()) << to_string(relief.error());
     SolidOptions figure;
-    figure.back = BackSide::drawing;
+    figure.back = BackSide::mirror;
     for (const SolidOptions& kind : {SolidOptions(), figure}) {
       const auto solid = solid_of(*relief, drawn->scene, drawn->drawing, kind);
       ASSERT_TRUE(solid.ok()) << to_string(solid.error());

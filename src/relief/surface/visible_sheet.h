@@ -22,8 +22,9 @@ struct SheetStep {
   std::vector<EdgePoint> second;
 };
 
-/// The rearmost of all parts over a point of the canvas. Each part is as deep behind its own shift
-/// surface as it is high in front of it.
+/// The rearmost part over a point of the canvas. Each part is as deep behind its own shift surface
+/// as it is high in front of it. Parts that do not reach the silhouette, such as eyes, have no
+/// back.
 struct BackPoint {
   double z = 0;  ///< px, g - |f|
   int part = 0;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace relievo::relief {
 namespace {
@@ -217,38 +219,96 @@ class WallBuilder {
   std::vector<double> heights_;
 };
 
-constexpr BackPoint nothing{std::numeric_limits<double>::infinity(), 0};
-
-/// Lowers `least` to the back of a sheet. A hollow has no back: it counts only if nothing else
-/// does.
-void lower(double u, double g, int part, BackPoint& least) {
-  const double z = g - std::sqrt(std::abs(u));
-  if (u < 0 ? least.z == nothing.z : z < least.z) least = {z, part};
+/// Returns for each part whether it reaches the silhouette. Others, such as eyes and buttons, lie
+/// on the front alone.
+std::vector<char> at_silhouette(const LayeredMesh& mesh) {
+  std::vector<char> reaches(mesh.part_count, 0);
+  const auto is_paper = [&mesh](int t) {
+    return t < 0 || mesh.stack_begin[t] == mesh.stack_begin[t + 1];
+  };
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& beside = mesh.neighbours[t];
+    if (std::none_of(beside.begin(), beside.end(), is_paper)) continue;
+    for (int f = mesh.stack_begin[t]; f < mesh.stack_begin[t + 1]; ++f)
+      reaches[mesh.face_part[f]] = 1;
+  }
+  return reaches;
 }
 
-/// Returns the rearmost sheet of both triangles beside an edge at position t on it.
-BackPoint behind_edge(const LayeredMesh& mesh, const std::vector<double>& node_u,
-                      const std::vector<double>& node_g, FaceEdge edge, double t) {
-  const int triangle = mesh.face_triangle[edge.face];
-  const int from = mesh.node_vertex[mesh.faces[edge.face][next_place(edge.corner)]];
-  const int to = mesh.node_vertex[mesh.faces[edge.face][last_place(edge.corner)]];
-  BackPoint least = nothing;
-  for (const int beside : {triangle, mesh.neighbours[triangle][edge.corner]}) {
-    if (beside < 0) continue;
-    for (int f = mesh.stack_begin[beside]; f < mesh.stack_begin[beside + 1]; ++f) {
-      double u = 0;
-      double g = 0;
-      for (const int n : mesh.faces[f]) {
-        const int v = mesh.node_vertex[n];
-        const double weight = v == from ? 1 - t : (v == to ? t : 0);
-        u += weight * node_u[n];
-        g += weight * node_g[n];
-      }
-      lower(u, g, mesh.face_part[f], least);
+/// The rearmost of the sheets seen so far.
+struct Rearmost {
+  BackPoint point{std::numeric_limits<double>::infinity(), 0};
+  bool counts = false;  ///< whether it is of a sheet with a back
+
+  /// Adds a sheet. Those without a back, hollows and parts on the front alone, count only if
+  /// nothing else does.
+  void add(double u, double g, int part, bool has_back) {
+    const BackPoint back{g - std::sqrt(std::abs(u)), part};
+    const bool adds = has_back && u >= 0;
+    const bool first = std::isinf(point.z);
+    if (first || (adds && (!counts || back.z < point.z))) {
+      point = back;
+      counts = adds;
     }
   }
-  return least;
-}
+};
+
+/// Finds the points behind a surface.
+class BackFinder {
+ public:
+  explicit BackFinder(const SolvedSurface& solved)
+      : mesh_(solved.mesh),
+        u_(solved.inflation.u),
+        g_(solved.ordering.g),
+        has_back_(at_silhouette(mesh_)) {
+    // Hidden sheets are lowered for the front alone.
+    for (size_t n = 0; n < solved.ordering.lowered.size(); ++n) g_[n] += solved.ordering.lowered[n];
+  }
+
+  /// Returns the points behind the base vertices.
+  std::vector<BackPoint> at_vertices() const {
+    std::vector<Rearmost> below(mesh_.vertices.size());
+    for (size_t f = 0; f < mesh_.faces.size(); ++f)
+      for (const int n : mesh_.faces[f]) add(f, u_[n], g_[n], below[mesh_.node_vertex[n]]);
+    std::vector<BackPoint> points;
+    for (const Rearmost& rearmost : below) points.push_back(rearmost.point);
+    return points;
+  }
+
+  /// Returns the point behind both triangles beside an edge, at position t on it.
+  BackPoint at_edge(FaceEdge edge, double t) const {
+    const int triangle = mesh_.face_triangle[edge.face];
+    const int from = mesh_.node_vertex[mesh_.faces[edge.face][next_place(edge.corner)]];
+    const int to = mesh_.node_vertex[mesh_.faces[edge.face][last_place(edge.corner)]];
+    Rearmost below;
+    for (const int beside : {triangle, mesh_.neighbours[triangle][edge.corner]}) {
+      if (beside < 0) continue;
+      for (int f = mesh_.stack_begin[beside]; f < mesh_.stack_begin[beside + 1]; ++f) {
+        double u = 0;
+        double g = 0;
+        for (const int n : mesh_.faces[f]) {
+          const int v = mesh_.node_vertex[n];
+          const double weight = v == from ? 1 - t : (v == to ? t : 0);
+          u += weight * u_[n];
+          g += weight * g_[n];
+        }
+        add(f, u, g, below);
+      }
+    }
+    return below.point;
+  }
+
+ private:
+  void add(size_t face, double u, double g, Rearmost& below) const {
+    const int part = mesh_.face_part[face];
+    below.add(u, g, part, has_back_[part] != 0);
+  }
+
+  const LayeredMesh& mesh_;
+  const std::vector<double>& u_;  ///< #N
+  std::vector<double> g_;         ///< #N
+  std::vector<char> has_back_;    ///< by part
+};
 
 }  // namespace
 
@@ -259,21 +319,14 @@ void close_open_edges(const CutSurface& surface, double weld_tolerance, ModelBui
 
 std::vector<BackPoint> back_points(const CutSurface& surface) {
   const auto& [solved, sheets, cuts] = surface;
-  const auto& [mesh, inflation, ordering, scene] = solved;
-  // Hidden sheets are lowered for the front alone.
-  std::vector<double> g = ordering.g;
-  for (size_t n = 0; n < ordering.lowered.size(); ++n) g[n] += ordering.lowered[n];
-  std::vector<BackPoint> below(mesh.vertices.size(), nothing);
-  for (size_t f = 0; f < mesh.faces.size(); ++f)
-    for (const int n : mesh.faces[f])
-      lower(inflation.u[n], g[n], mesh.face_part[f], below[mesh.node_vertex[n]]);
+  const BackFinder finder(solved);
+  const std::vector<BackPoint> below = finder.at_vertices();
   std::vector<BackPoint> back;
-  for (const int node : sheets.vertex_node) back.push_back(below[mesh.node_vertex[node]]);
+  for (const int node : sheets.vertex_node) back.push_back(below[solved.mesh.node_vertex[node]]);
   const size_t edges = sheets.edge_owner.size();
-  const auto append_cuts = [&, &mesh = mesh, &sheets = sheets, &cuts = cuts](size_t e) {
+  const auto append_cuts = [&, &owner = sheets.edge_owner, &cuts = cuts](size_t e) {
     for (int i = cuts.begin[e]; i < cuts.begin[e + 1]; ++i)
-      back.push_back(
-          behind_edge(mesh, surface.solved.inflation.u, g, sheets.edge_owner[e], cuts.t[i]));
+      back.push_back(finder.at_edge(owner[e], cuts.t[i]));
   };
   for (size_t e = 0; e < edges; ++e) append_cuts(e);
   for (size_t e = 0; e < edges; ++e)

@@ -16,8 +16,9 @@ namespace relievo::relief {
 /// no edge is open between two triangles. O(w log w) for w open edges.
 void close_open_edges(const CutSurface& surface, double weld_tolerance, ModelBuilder& builder);
 
-/// Returns the points behind the vertices of a cut surface and its cuts: of all sheets but hollows,
-/// the one with the least g - |f|, the first of several. O(faces + cuts * height of a stack).
+/// Returns the points behind the vertices of a cut surface and its cuts: of all sheets but hollows
+/// and those of parts that do not reach the silhouette, the one with the least g - |f|, the first
+/// of several. O(faces + cuts * height of a stack).
 std::vector<BackPoint> back_points(const CutSurface& surface);
 
 }  // namespace relievo::relief
