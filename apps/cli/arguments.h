@@ -44,6 +44,7 @@ struct ReliefArguments {
   std::optional<Visibility> visibility;  ///< of the surface; default: orbit
   Field field = Field::relief;
   std::optional<Ink> ink;  ///< default: usual_ink of files, shells in pictures
+  double ink_width = 1;    ///< factor for the width of shells
   /// Make a closed solid in place of the surface; default: in files to print (prints_solids).
   std::optional<bool> solid;
   SolidOptions solid_options;    ///< their size is that of the outputs

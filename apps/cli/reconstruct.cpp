@@ -91,6 +91,7 @@ Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& inp
   if (arguments.solid.value_or(false)) {
     SolidOptions solid_options = arguments.solid_options;
     solid_options.ink = ink;
+    solid_options.ink_width = arguments.ink_width;
     auto solid = solid_of(relief, input.scene, input.drawing, solid_options, context);
     if (!solid) return solid.error();
     return MadeModel{{std::move(solid->model), std::move(solid->drawing)}, solid->facts};
@@ -100,7 +101,8 @@ Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& inp
   auto model = relief::assemble_model(
       {relief.layers, relief.inflation, relief.ordering, input.scene}, options, context);
   if (!model) return model.error();
-  return MadeModel{relief::finish_model(std::move(*model), input.drawing, ink), {}};
+  return MadeModel{relief::finish_model(std::move(*model), input.drawing, ink, arguments.ink_width),
+                   {}};
 }
 
 std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments) {

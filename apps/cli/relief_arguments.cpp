@@ -6,6 +6,7 @@
 
 #include "apps/cli/common_arguments.h"
 #include "apps/cli/cue_argument.h"
+#include "relievo/export.h"
 
 namespace relievo::cli {
 namespace {
@@ -134,6 +135,9 @@ void add_visibility(CLI::App& app, ReliefArguments& relief) {
       ".html and pictures); paint leaves them in the colours of its sides (.obj, .ply); none lets "
       "the paint go on to the outline (.stl, .3mf)",
       {{"shell", Ink::shell}, {"paint", Ink::paint}, {"none", Ink::none}});
+  app.add_option("--ink-width", relief.ink_width,
+                 "Factor by which shells are wider than the contours drawn (default 1)")
+      ->check(CLI::Range(least_ink_width, most_ink_width));
   add_solid_options(app, relief);
 }
 

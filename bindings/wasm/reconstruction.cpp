@@ -115,20 +115,39 @@ val runs(const std::vector<ModelPart>& parts, const relief::HiddenPatches& hidde
   return list;
 }
 
+val corners_of(const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<uint32_t> corners;
+  corners.reserve(3 * triangles.size());
+  for (const std::array<int, 3>& triangle : triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return wasm::to_js(corners);
+}
+
+val to_js(const InkMesh& ink) {
+  val mesh = val::object();
+  mesh.set("positions", wasm::to_js(flatten(ink.positions)));
+  mesh.set("uvs", wasm::to_js(flatten(ink.uvs)));
+  mesh.set("triangles", corners_of(ink.triangles));
+  return mesh;
+}
+
+/// Returns the treatment of contours in a file, where a width of 0 stands for none.
+Ink ink_in(const std::string& file, double ink_width) {
+  const Ink usual = usual_ink(file);
+  return usual == Ink::shell && ink_width == 0 ? Ink::none : usual;
+}
+
 /// `drawing`: the one on the model.
 val to_js(const Model& model, const relief::HiddenPatches& hidden, const Drawing& drawing) {
-  std::vector<uint32_t> corners;
-  corners.reserve(3 * model.triangles.size());
-  for (const std::array<int, 3>& triangle : model.triangles)
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
   val surface = val::object();
   surface.set("positions", wasm::to_js(flatten(model.positions)));
   surface.set("normals", wasm::to_js(flatten(model.normals)));
   surface.set("uvs", wasm::to_js(flatten(model.uvs)));
-  surface.set("triangles", wasm::to_js(corners));
+  surface.set("triangles", corners_of(model.triangles));
   surface.set("colors", wasm::to_js(relief::hidden_colours(model, hidden)));
   surface.set("parts", runs(model.parts, hidden));
   surface.set("pixelArt", drawing.pixel_art > 0);
+  if (!model.ink.triangles.empty()) surface.set("ink", to_js(model.ink));
   return surface;
 }
 
@@ -199,14 +218,15 @@ val Reconstruction::surface(const std::string& visibility, double tolerance,
                : failure(model.error());
 }
 
-val Reconstruction::dressed(double tolerance) const {
+val Reconstruction::dressed(double tolerance, double ink_width) const {
   ModelOptions options;
   options.rim_tolerance = tolerance;
   auto model = session_.model(options);
   if (!model) return failure(model.error());
-  const auto [finished, drawing] = relief::finish_rims(std::move(*model), texture_);
+  const auto [finished, drawing] = relief::finish_model(
+      std::move(*model), texture_, ink_width > 0 ? Ink::shell : Ink::none, ink_width);
   val result = val::object();
-  result.set("surface", to_js(finished, relief::hidden_patches(finished, shown_), drawing));
+  result.set("surface", to_js(finished, relief::HiddenPatches{}, drawing));
   set_picture(result, drawing.rgba);
   return result;
 }
@@ -254,17 +274,20 @@ val Reconstruction::solid(const val& options) const {
 }
 
 val Reconstruction::encode_solid(const std::string& format, const std::string& name,
-                                 const val& options) {
+                                 const val& options, double ink_width) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
-  const auto solid = to_solid_options(options);
+  auto solid = to_solid_options(options);
   if (!solid) return failure(solid.error());
+  solid->ink = ink_in("model." + format, ink_width);
+  if (ink_width > 0) solid->ink_width = ink_width;
   const auto made = session_.solid(*solid, texture_);
   if (!made) return failure(made.error());
   return to_js(encode_as(format, name, made->model, made->drawing,
                          {.size_mm = longest_side(made->model), .standing = stands(*solid)}));
 }
 
-val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {
+val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm,
+                           double ink_width) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
   if (is_for_print("model." + format)) {
     SolidOptions solid;
@@ -276,7 +299,10 @@ val Reconstruction::encode(const std::string& format, const std::string& name, d
   }
   const auto model = session_.model();
   if (!model) return failure(model.error());
-  return to_js(encode_as(format, name, *model, texture_, {.size_mm = size_mm}));
+  return to_js(encode_as(format, name, *model, texture_,
+                         {.size_mm = size_mm,
+                          .ink = ink_in("model." + format, ink_width),
+                          .ink_width = ink_width > 0 ? ink_width : 1}));
 }
 
 val Reconstruction::map(const std::string& kind, int side, bool green_down) {

@@ -26,9 +26,10 @@ class Reconstruction {
   emscripten::val surface(const std::string& visibility, double tolerance,
                           const std::string& field) const;
 
-  /// Returns {surface, rgba, width, height}: the surface of whole parts as in files, with finished
-  /// rims, and the texture, with its paint extended around them (finish_rims).
-  emscripten::val dressed(double tolerance) const;
+  /// Returns {surface, rgba, width, height}: the surface of whole parts as in files, and the
+  /// picture on it (finish_model). The surface has `ink`, {positions, uvs, triangles}, if contours
+  /// are drawn. `ink_width`: factor for their width; 0: none are drawn.
+  emscripten::val dressed(double tolerance, double ink_width) const;
 
   /// Returns {joins, equal, above, below, ramps}; see MeshLines.
   emscripten::val overlays() const;
@@ -41,8 +42,10 @@ class Reconstruction {
   void set_texture(const emscripten::val& rgba, int width, int height);
 
   /// Returns {files: [{name, bytes}]}, the model as "glb", "obj", "ply", "stl", "usdz" or "html".
-  /// The bytes are those of the command line.
-  emscripten::val encode(const std::string& format, const std::string& name, double size_mm);
+  /// The bytes are those of the command line. `ink_width`: as of dressed, in files that hold
+  /// shells.
+  emscripten::val encode(const std::string& format, const std::string& name, double size_mm,
+                         double ink_width);
 
   /// Makes a closed solid. `options` may have those of SolidOptions, by name, except `mirror`.
   /// Returns {surface, size: [mm, mm, mm], volume, pieces, findings: [{trouble, part, measure,
@@ -52,7 +55,7 @@ class Reconstruction {
 
   /// Returns {files} of a closed solid; see encode. For "3mf", they are the files of the package.
   emscripten::val encode_solid(const std::string& format, const std::string& name,
-                               const emscripten::val& options);
+                               const emscripten::val& options, double ink_width);
 
   /// Returns {bytes}, the "normal", "depth" or "part" map as a PNG file, `side` px on the longer
   /// side.

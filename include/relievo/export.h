@@ -20,6 +20,9 @@ enum class Slicer {
 /// Bounds of ExportOptions::texture_size, px.
 constexpr int least_texture_size = 16;
 constexpr int max_texture_size = 32768;
+/// Bounds of factors for the width of contours.
+constexpr double least_ink_width = 0.1;
+constexpr double most_ink_width = 10;
 
 struct ExportOptions {
   double size_mm = 100;   ///< longest side
@@ -29,6 +32,7 @@ struct ExportOptions {
   int filaments = 4;      ///< .3mf: number of colours painted, at most; in [1, 16]
   Slicer slicer = Slicer::prusa;
   std::optional<Ink> ink{};  ///< of a surface to be finished; default: usual_ink
+  double ink_width = 1;      ///< factor by which its shells are wider than the contours drawn
 };
 
 /// Returns whether a file is for a printer, which needs a closed body (Session::solid): .stl and

@@ -40,6 +40,7 @@ struct SolidOptions {
   double ring = 0;       ///< mm, diameter of a hole in a loop at the plate's top; 0: none
   double cutter = 0;     ///< mm, height above the plate of a thin wall around it; 0: none
   Ink ink = Ink::none;   ///< shells are for pictures and games: they are no part of the body
+  double ink_width = 1;  ///< factor by which shells are wider than the contours drawn
 };
 
 /// What choices are called on the command line, in Python and in the browser.

@@ -69,6 +69,8 @@ Result<Files> encode_as(const fs::path& path, const Model& model, const Drawing&
 Status check_options(const ExportOptions& options) {
   if (options.filaments < 1 || options.filaments > 16)
     return Error{ErrorCode::usage, "must be from 1 to 16", "filaments"};
+  if (!(options.ink_width >= least_ink_width && options.ink_width <= most_ink_width))
+    return Error{ErrorCode::usage, "must be from 0.1 to 10", "ink_width"};
   if (options.texture_size != 0 &&
       (options.texture_size < least_texture_size || options.texture_size > max_texture_size))
     return Error{ErrorCode::usage,
@@ -89,7 +91,7 @@ Result<Files> export_model(const Model& model, const Drawing& drawing, const fs:
                  "shells of ink need .glb, .usdz or .html: choose paint or none for others",
                  "--ink"};
   if (!model.unfinished) return encode_as(path, model, drawing, options);
-  const relief::DrawnModel finished = relief::finish_model(model, drawing, ink);
+  const relief::DrawnModel finished = relief::finish_model(model, drawing, ink, options.ink_width);
   return encode_as(path, finished.model, finished.drawing, options);
 }
 

@@ -30,7 +30,7 @@ namespace {
 
 constexpr double least_gap = 0.05;    ///< mm between sides that would touch in a point
 constexpr double least_depth = 0.4;   ///< mm of a figure; its back is lowered for that
-constexpr double soft_share = 0.04;  ///< width of ramps on a figure's back, of its size
+constexpr double soft_share = 0.04;   ///< width of ramps on a figure's back, of its size
 constexpr double size_slack = 0.001;  ///< by which a figure on a base may miss its size
 constexpr int most_fits = 4;          ///< times that a figure is made to get its size
 
@@ -268,7 +268,7 @@ void add_contours(const relief::TakenInk& ink, const Model& surface, const Solid
       made.pictured};
   if (options.back == BackSide::flat)
     place.ground = options.base == BaseShape::none ? 0 : options.thickness;
-  relief::add_ink(ink.contours, ink.inked, surface, place, made.solid.model,
+  relief::add_ink(ink.contours, ink.inked, options.ink_width, surface, place, made.solid.model,
                   made.solid.drawing.rgba);
 }
 

@@ -37,6 +37,14 @@ export interface Settings {
    */
   readonly inkColor: string;
   readonly inkWidth: number;
+  /** Whether models show the contours of the drawing, and a factor for their width. */
+  readonly contours: boolean;
+  readonly contourWidth: number;
+}
+
+/** Returns the factor for the width of contours; 0 if there are none. */
+export function shownContourWidth({ contours, contourWidth }: Settings): number {
+  return contours ? contourWidth : 0;
 }
 
 export interface Document {
@@ -65,6 +73,8 @@ export const defaultSettings: Settings = {
   sizeMm: 100,
   inkColor: '#2b2d33',
   inkWidth: 1,
+  contours: true,
+  contourWidth: 1,
 };
 
 export function emptyDocument(): Document {

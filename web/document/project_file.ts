@@ -80,6 +80,7 @@ function soundSettings(settings: Partial<Settings> | undefined): Settings {
     if (typeof value === typeof usual && (typeof value !== 'number' || Number.isFinite(value))) sound[key] = value;
   }
   if (!/^#[0-9a-f]{6}$/i.test(String(sound['inkColor']))) sound['inkColor'] = defaultSettings.inkColor;
+  if (Number(sound['contourWidth']) < 0.25 || Number(sound['contourWidth']) > 3) sound['contourWidth'] = defaultSettings.contourWidth;
   if (sound['method'] !== 'nonlinear') sound['method'] = 'approximate';
   return sound as unknown as Settings;
 }

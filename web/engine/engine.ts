@@ -1,7 +1,7 @@
 import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
 import type {
-  BuiltRelief, Dressed, ExportFormat, Failure, Files, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
+  BuiltRelief, Dressed, ExportFormat, Failure, Files, FileSettings, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
   SegmentationRequest, Solid, SolidFormat, SolidOptions, Surface, SvgImport, Texture, TintedLabels, Understanding, UnderstandingRequest,
   UnreadFile,
 } from './messages';
@@ -103,8 +103,8 @@ export class Engine {
   }
 
   /** Returns the last build as exported files contain it; see ReliefService.dress. */
-  dress(tolerance: number, drawing: ImageBitmap): Promise<Dressed | Failure> {
-    return this.call(async (remote) => (await remote.dress(tolerance, drawing)) as Dressed | Failure);
+  dress(tolerance: number, inkWidth: number, drawing: ImageBitmap): Promise<Dressed | Failure> {
+    return this.call(async (remote) => (await remote.dress(tolerance, inkWidth, drawing)) as Dressed | Failure);
   }
 
   /** Builds a relief; see BuildRequest. */
@@ -112,8 +112,8 @@ export class Engine {
     return this.call(async (remote) => await remote.build(request, drawing, Comlink.proxy(progress)));
   }
 
-  encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Promise<Files | Failure> {
-    return this.call(async (remote) => await remote.encode(format, name, sizeMm, texture));
+  encode(format: ExportFormat, name: string, settings: FileSettings, texture: Texture | null): Promise<Files | Failure> {
+    return this.call(async (remote) => await remote.encode(format, name, settings, texture));
   }
 
   /** Makes a closed solid of the last build with `drawing`, at any size, as its texture. */
@@ -121,7 +121,7 @@ export class Engine {
     return this.call(async (remote) => (await remote.solid(options, drawing)) as Solid | Failure);
   }
 
-  encodeSolid(format: SolidFormat, name: string, options: SolidOptions, texture: Texture): Promise<Files | Failure> {
+  encodeSolid(format: SolidFormat, name: string, options: SolidOptions & Pick<FileSettings, 'inkWidth'>, texture: Texture): Promise<Files | Failure> {
     return this.call(async (remote) => await remote.encodeSolid(format, name, options, texture));
   }
 

@@ -8,7 +8,9 @@ import { tintOf } from './tint';
 
 /** Returns the arrays of a surface, to transfer them instead of copying. */
 function arraysOf(surface: Surface): ArrayBuffer[] {
-  return [surface.positions, surface.normals, surface.uvs, surface.triangles, surface.colors].map((array) => array.buffer);
+  const { ink } = surface;
+  const lines = ink ? [ink.positions, ink.uvs, ink.triangles] : [];
+  return [surface.positions, surface.normals, surface.uvs, surface.triangles, surface.colors, ...lines].map((array) => array.buffer);
 }
 
 function arraysOfRelief({ surface, overlays }: BuiltRelief): ArrayBuffer[] {
@@ -96,8 +98,8 @@ const endpoint = {
     const surface = (await started()).surface(request);
     return isFailure(surface) ? surface : Comlink.transfer(surface, arraysOf(surface));
   },
-  async dress(tolerance: number, drawing: ImageBitmap): Promise<Dressed | Failure> {
-    const made = (await started()).dress(tolerance, pixelsOf(drawing));
+  async dress(tolerance: number, inkWidth: number, drawing: ImageBitmap): Promise<Dressed | Failure> {
+    const made = (await started()).dress(tolerance, inkWidth, pixelsOf(drawing));
     return isFailure(made) ? made : handedOver({ surface: made.surface, picture: await pictureOf(made) });
   },
   async encode(...arguments_: Parameters<ReliefService['encode']>) {

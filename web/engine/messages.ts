@@ -67,6 +67,15 @@ export interface Surface {
   parts: PartRun[];
   /** Whether the drawing keeps its pixels. */
   pixelArt: boolean;
+  /** The contours, without light and seen from one side alone. */
+  ink?: Lines;
+}
+
+/** Triangles of lines, with the surface's picture on them. */
+export interface Lines {
+  positions: Float32Array<ArrayBuffer>;
+  uvs: Float32Array<ArrayBuffer>;
+  triangles: Uint32Array<ArrayBuffer>;
 }
 
 /** Options of a closed solid; lengths in mm. See the command line's --profile. */
@@ -74,7 +83,7 @@ export interface SolidOptions {
   /** Longest side of the solid. */
   readonly size?: number;
   /** The back of the plate or of a figure. */
-  readonly back?: 'flat' | 'drawing' | 'parts';
+  readonly back?: 'flat' | 'plain' | 'mirror' | 'parts';
   readonly base?: 'none' | 'outline' | 'plate' | 'round';
   /** Largest depth of the solid; 0: as deep as the relief is. */
   readonly height?: number;
@@ -88,6 +97,14 @@ export interface SolidOptions {
   readonly ring?: number;
   /** Height of a wall around the plate, above it; 0: none. */
   readonly cutter?: number;
+}
+
+/** Settings of exported files. */
+export interface FileSettings {
+  /** Longest side of the model. */
+  readonly sizeMm: number;
+  /** Factor for the width of contours; 0: none are drawn. */
+  readonly inkWidth: number;
 }
 
 /** A weak spot of a part that the print check found. */

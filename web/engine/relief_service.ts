@@ -4,6 +4,7 @@ import {
   type BuiltRelief,
   type ExportFormat,
   type Field,
+  type FileSettings,
   type Failure,
   type Files,
   type FlatDrawing,
@@ -120,18 +121,18 @@ export class ReliefService {
   }
 
   /**
-   * Returns the last build as exported files contain it: ink stays thin at rims, and the texture continues
-   * around them.
+   * Returns the last build as exported files contain it: contours are lines of their own, and the picture
+   * continues around rims and behind parts. `inkWidth`: factor for the width of contours; 0: none are drawn.
    */
-  dress(tolerance: number, texture: Texture) {
+  dress(tolerance: number, inkWidth: number, texture: Texture) {
     this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
-    return this.reconstruction.dressed(tolerance);
+    return this.reconstruction.dressed(tolerance, inkWidth);
   }
 
-  encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Files | Failure {
+  encode(format: ExportFormat, name: string, { sizeMm, inkWidth }: FileSettings, texture: Texture | null): Files | Failure {
     const drawn = texture ?? noTexture;
     this.reconstruction.setTexture(drawn.rgba, drawn.width, drawn.height);
-    return this.reconstruction.encode(format, name, sizeMm);
+    return this.reconstruction.encode(format, name, sizeMm, inkWidth);
   }
 
   /** Makes a closed solid of the last build, with its texture; `texture` is the drawing. */
@@ -141,9 +142,10 @@ export class ReliefService {
   }
 
   /** Encodes that solid as a file or, for 3MF, as the files of its package. */
-  encodeSolid(format: SolidFormat, name: string, options: SolidOptions, texture: Texture): Files | Failure {
+  encodeSolid(format: SolidFormat, name: string, options: SolidOptions & Pick<FileSettings, 'inkWidth'>, texture: Texture): Files | Failure {
+    const { inkWidth, ...solid } = options;
     this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
-    return this.reconstruction.encodeSolid(format, name, options);
+    return this.reconstruction.encodeSolid(format, name, solid, inkWidth);
   }
 
   map(kind: MapKind, side: number, greenDown: boolean): { bytes: Uint8Array } | Failure {

@@ -11,13 +11,13 @@ declare module '#relievo' {
   export interface Reconstruction {
     build(scene: string, options: BuildOptions, progress: Progress): Report | Failure;
     surface(visibility: Visibility, tolerance: number, field: Field): Surface | Failure;
-    dressed(tolerance: number): (Texture & { surface: Surface }) | Failure;
+    dressed(tolerance: number, inkWidth: number): (Texture & { surface: Surface }) | Failure;
     overlays(): Overlays | Failure;
     setShown(rgba: Uint8Array, width: number, height: number): void;
     setTexture(rgba: Uint8Array, width: number, height: number): void;
-    encode(format: ExportFormat, name: string, sizeMm: number): Files | Failure;
+    encode(format: ExportFormat, name: string, sizeMm: number, inkWidth: number): Files | Failure;
     solid(options: SolidOptions): (SolidFacts & { surface: Surface; rgba: Uint8Array; width: number; height: number }) | Failure;
-    encodeSolid(format: SolidFormat, name: string, options: SolidOptions): Files | Failure;
+    encodeSolid(format: SolidFormat, name: string, options: SolidOptions, inkWidth: number): Files | Failure;
     map(kind: MapKind, side: number, greenDown: boolean): { bytes: Uint8Array } | Failure;
     delete(): void;
   }

@@ -1,5 +1,5 @@
 import * as THREE from 'three';
-import type { Surface } from '../engine/messages';
+import type { Lines, Surface } from '../engine/messages';
 import { marks } from './colors';
 import { lightFrom } from './lit_picture';
 import { bledTexture, type Painted } from './painted_drawing';
@@ -45,6 +45,8 @@ export class ModelRenderer {
     hidden: new THREE.MeshStandardMaterial({ roughness: 0.92, side: THREE.DoubleSide, vertexColors: true }),
     clay: new THREE.MeshStandardMaterial({ color: 0xcbbfae, roughness: 0.75, side: THREE.DoubleSide }),
     normals: new THREE.MeshNormalMaterial({ side: THREE.DoubleSide }),
+    /** For contours, which have no light and no back. */
+    ink: new THREE.MeshBasicMaterial(),
   };
   private readonly picker = new THREE.Raycaster();
   private shading: ModelShading = 'drawing';
@@ -88,6 +90,7 @@ export class ModelRenderer {
   show(surface: Surface | null, width: number, height: number): void {
     this.clear();
     if (surface) for (const mesh of this.meshes(surface)) this.model.add(mesh);
+    if (surface?.ink) this.model.add(this.inkMesh(surface.ink));
     this.filter = surface?.pixelArt ? THREE.NearestFilter : THREE.LinearFilter;
     this.sharpen();
     const scale = 2 / Math.max(width, height);
@@ -102,10 +105,11 @@ export class ModelRenderer {
    * size, px.
    */
   paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
-    const { drawing } = this.materials;
+    const { drawing, ink } = this.materials;
     drawing.map?.dispose();
     drawing.map = document && this.textureOf(bledTexture(document, picture, side));
-    drawing.needsUpdate = true;
+    ink.map = drawing.map;
+    for (const material of [drawing, ink]) material.needsUpdate = true;
     this.sharpen();
     this.redraw();
   }
@@ -126,6 +130,10 @@ export class ModelRenderer {
   highlight(part: string | null): void {
     this.highlighted = part;
     for (const mesh of this.model.children as THREE.Mesh[]) {
+      if (mesh.material === this.materials.ink) {
+        mesh.visible = this.shading === 'drawing';
+        continue;
+      }
       const lit = mesh.name === part && this.shading !== 'normals';
       const usual = this.usualMaterial(mesh);
       const shared = Object.values<THREE.Material>(this.materials).includes(mesh.material as THREE.Material);
@@ -215,6 +223,18 @@ export class ModelRenderer {
       if (hiddenCount > 0) made.push(mesh(id, true, firstTriangle + seen, hiddenCount));
       return made;
     });
+  }
+
+  /** Returns the mesh of contours. It cannot be picked. */
+  private inkMesh({ positions, uvs, triangles }: Lines): THREE.Mesh {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+    geometry.setAttribute('uv', new THREE.BufferAttribute(uvs, 2));
+    geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+    const mesh = new THREE.Mesh(geometry, this.materials.ink);
+    mesh.visible = this.shading === 'drawing';
+    mesh.raycast = () => undefined;
+    return mesh;
   }
 
   private usualMaterial({ userData }: THREE.Mesh): THREE.Material {

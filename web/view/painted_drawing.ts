@@ -28,6 +28,9 @@ export function isSameLook(a: readonly unknown[], b: readonly unknown[]): boolea
 /** Longest side of the texture made of a vector drawing or of parts, px; the command line uses the same. */
 export const vectorSide = 2048;
 
+/** Longest side of the texture of a dressed surface, px: its picture has contours and hidden paint below the drawing. */
+export const dressedSide = 2 * vectorSide;
+
 export function canvasOf(width: number, height: number): [OffscreenCanvas, OffscreenCanvasRenderingContext2D] {
   const canvas = new OffscreenCanvas(Math.max(1, Math.round(width)), Math.max(1, Math.round(height)));
   const context = canvas.getContext('2d', { willReadFrequently: true });
@@ -51,9 +54,9 @@ export function painted(document: Painted, picture: ImageBitmap | null, side = I
  * Paints the drawing as a texture for the view. Transparent pixels take the colour beside them, so that no rim
  * shows the background.
  */
-export function bledTexture(document: Painted, picture: ImageBitmap | null, side?: number): OffscreenCanvas {
+export function bledTexture(document: Painted, picture: ImageBitmap | null, side = vectorSide): OffscreenCanvas {
   const sharp = painted(document, picture, side).canvas;
-  const scale = Math.min(1, vectorSide / Math.max(sharp.width, sharp.height));
+  const scale = Math.min(1, side / Math.max(sharp.width, sharp.height));
   const [canvas, context] = canvasOf(scale * sharp.width, scale * sharp.height);
   context.fillStyle = '#efe9dd';
   context.fillRect(0, 0, canvas.width, canvas.height);

@@ -1,4 +1,4 @@
-import type { Surface } from '../engine/messages';
+import type { Lines, Surface } from '../engine/messages';
 import { type Mat4, placed, scaledTo } from './room_place';
 
 const vertexSource = `#version 300 es
@@ -27,9 +27,10 @@ in vec2 place;
 in vec3 own;
 uniform sampler2D drawing;
 uniform bool hidden;
+uniform bool lit;
 out vec4 result;
 void main() {
-  float light = 0.62 + 0.42 * max(0.0, dot(normalize(facing), normalize(vec3(-0.45, 0.6, 0.66))));
+  float light = lit ? 0.62 + 0.42 * max(0.0, dot(normalize(facing), normalize(vec3(-0.45, 0.6, 0.66)))) : 1.0;
   vec3 paint = hidden ? own : texture(drawing, place).rgb;
   result = vec4(light * paint, 1.0);
 }`;
@@ -41,18 +42,16 @@ const reach = 0.7;
 class RoomModel {
   private readonly program: WebGLProgram;
   private readonly uniform: (name: string) => WebGLUniformLocation | null;
+  private readonly body: WebGLVertexArrayObject;
+  private readonly lines: WebGLVertexArrayObject | null;
 
   constructor(private readonly gl: WebGL2RenderingContext, private readonly surface: Surface, drawing: TexImageSource) {
     this.program = this.link();
     this.uniform = (name) => gl.getUniformLocation(this.program, name);
-    const { positions, normals, uvs, colors, triangles } = surface;
-    gl.bindVertexArray(gl.createVertexArray());
-    this.fill('position', positions, 3, gl.FLOAT);
-    this.fill('normal', normals, 3, gl.FLOAT);
-    this.fill('uv', uvs, 2, gl.FLOAT);
-    this.fill('color', colors, 3, gl.UNSIGNED_BYTE);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+    this.body = this.loaded(surface);
+    this.fill('normal', surface.normals, 3, gl.FLOAT);
+    this.fill('color', surface.colors, 3, gl.UNSIGNED_BYTE);
+    this.lines = surface.ink ? this.loaded(surface.ink) : null;
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, drawing);
     gl.generateMipmap(gl.TEXTURE_2D);
@@ -65,11 +64,32 @@ class RoomModel {
     gl.uniformMatrix4fv(this.uniform('model'), false, place);
     gl.uniformMatrix4fv(this.uniform('view'), false, view.transform.inverse.matrix);
     gl.uniformMatrix4fv(this.uniform('projection'), false, view.projectionMatrix);
+    gl.bindVertexArray(this.body);
+    gl.uniform1i(this.uniform('lit'), 1);
+    gl.disable(gl.CULL_FACE);
     for (const { firstTriangle, triangleCount, hiddenCount } of this.surface.parts) {
       const seen = triangleCount - hiddenCount;
       this.run(false, firstTriangle, seen);
       this.run(true, firstTriangle + seen, hiddenCount);
     }
+    const { ink } = this.surface;
+    if (!ink) return;
+    gl.bindVertexArray(this.lines);
+    gl.uniform1i(this.uniform('lit'), 0);
+    gl.enable(gl.CULL_FACE);
+    this.run(false, 0, ink.triangles.length / 3);
+  }
+
+  /** Returns the places, texture coordinates and triangles of a mesh. */
+  private loaded({ positions, uvs, triangles }: Lines): WebGLVertexArrayObject {
+    const { gl } = this;
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    this.fill('position', positions, 3, gl.FLOAT);
+    this.fill('uv', uvs, 2, gl.FLOAT);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+    return array;
   }
 
   private run(hidden: boolean, first: number, count: number): void {

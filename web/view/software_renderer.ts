@@ -1,4 +1,4 @@
-import type { Surface } from '../engine/messages';
+import type { Lines, Surface } from '../engine/messages';
 import { lightFrom } from './lit_picture';
 import type { ModelRenderer, ModelShading, Picked, Pose } from './model_renderer';
 import { bledTexture, type Painted } from './painted_drawing';
@@ -156,11 +156,25 @@ export class SoftwareRenderer implements Renderer {
         for (let t = 0; t < triangleCount; t++)
           this.fill(frame, corners, { surface, triangle: firstTriangle + t, part, hidden: t >= triangleCount - hiddenCount });
       });
+      if (surface.ink && this.shading === 'drawing') this.drawInk(frame, surface.ink);
     }
     this.context.putImageData(frame.image, 0, 0);
   }
 
-  private project({ positions, normals }: Surface, width: number, height: number): Corners {
+  /** Draws contours where they face the viewer, without light. They cannot be picked. */
+  private drawInk(frame: Frame, ink: Lines): void {
+    const { screen } = this.project({ positions: ink.positions, normals: new Float32Array(ink.positions.length) }, frame.width, frame.height);
+    const corners = { screen, shade: new Float32Array(screen.length / 3).fill(1) };
+    const surface = { ...ink, normals: ink.positions, colors: new Uint8Array(), parts: [], pixelArt: false };
+    const at = (corner: number, k: 0 | 1): number => screen[3 * (ink.triangles[corner] as number) + k] as number;
+    for (let t = 0; t < ink.triangles.length; t += 3) {
+      const turn = (at(t + 1, 0) - at(t, 0)) * (at(t + 2, 1) - at(t, 1)) - (at(t + 2, 0) - at(t, 0)) * (at(t + 1, 1) - at(t, 1));
+      // Rows run downwards.
+      if (turn < 0) this.fill(frame, corners, { surface, triangle: t / 3, part: -1, hidden: false });
+    }
+  }
+
+  private project({ positions, normals }: Pick<Surface, 'positions' | 'normals'>, width: number, height: number): Corners {
     const { target, frame } = this.pose;
     const [left, right, top, bottom] = frame;
     const [across, up, near] = axesOf(this.pose);
@@ -202,7 +216,7 @@ export class SoftwareRenderer implements Renderer {
         const near = u * (screen[3 * a + 2] as number) + v * (screen[3 * b + 2] as number) + w * (screen[3 * c + 2] as number);
         if (near <= (frame.depth[at] as number)) continue;
         frame.depth[at] = near;
-        frame.part[at] = part;
+        if (part >= 0) frame.part[at] = part;
         const bright = u * (shade[a] as number) + v * (shade[b] as number) + w * (shade[c] as number);
         const mixed = (values: ArrayLike<number>, size: number, k: number): number =>
           u * (values[size * a + k] as number) + v * (values[size * b + k] as number) + w * (values[size * c + k] as number);

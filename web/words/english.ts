@@ -270,6 +270,8 @@ export const english = {
   hintEyes: 'Tap to add an eye, or draw from eye to eye for a pair.',
   inkWidth: 'Ink width',
   inkColor: 'Ink colour',
+  contours: 'Contours',
+  contourWidth: 'Width of contours',
   viewInRoom: 'View in your room',
   relationNow: '{upper} on {lower}: {relation}',
 };

@@ -271,6 +271,8 @@ export const french: Words = {
   hintEyes: 'Touchez pour poser un œil, ou tracez d’œil à œil pour une paire.',
   inkWidth: 'Épaisseur du trait',
   inkColor: 'Couleur du trait',
+  contours: 'Contours',
+  contourWidth: 'Largeur des contours',
   viewInRoom: 'Voir dans votre pièce',
   relationNow: '{upper} sur {lower} : {relation}',
 };

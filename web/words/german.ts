@@ -271,6 +271,8 @@ export const german: Words = {
   hintEyes: 'Tippe für ein Auge, oder zeichne von Auge zu Auge für ein Paar.',
   inkWidth: 'Linienstärke',
   inkColor: 'Linienfarbe',
+  contours: 'Konturen',
+  contourWidth: 'Breite der Konturen',
   viewInRoom: 'In deinem Zimmer ansehen',
   relationNow: '{upper} auf {lower}: {relation}',
 };

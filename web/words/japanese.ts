@@ -271,6 +271,8 @@ export const japanese: Words = {
   hintEyes: 'タップで片目、目から目への線で両目になります。',
   inkWidth: '線の太さ',
   inkColor: '線の色',
+  contours: '輪郭線',
+  contourWidth: '輪郭線の太さ',
   viewInRoom: '部屋に置いて見る',
   relationNow: '{lower} の上の {upper}：{relation}',
 };

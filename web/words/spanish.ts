@@ -271,6 +271,8 @@ export const spanish: Words = {
   hintEyes: 'Toca para poner un ojo, o traza de ojo a ojo para un par.',
   inkWidth: 'Grosor de la línea',
   inkColor: 'Color de la línea',
+  contours: 'Contornos',
+  contourWidth: 'Grosor de los contornos',
   viewInRoom: 'Ver en tu habitación',
   relationNow: '{upper} sobre {lower}: {relation}',
 };

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "relief/finish/beside_rim.h"
 #include "relief/finish/find_ink.h"
-#include "relief/finish/rim_surroundings.h"
 #include "relievo/point.h"
 
 namespace relievo::relief {

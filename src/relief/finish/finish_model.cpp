@@ -7,13 +7,12 @@
 #include "relief/finish/find_ink.h"
 #include "relief/finish/hidden_patches.h"
 #include "relief/finish/ink_mesh.h"
-#include "relief/finish/ink_rims.h"
 #include "relief/finish/model_texture.h"
 #include "relief/finish/take_off_ink.h"
 
 namespace relievo::relief {
 
-DrawnModel finish_model(Model model, Drawing drawing, Ink mode) {
+DrawnModel finish_model(Model model, Drawing drawing, Ink mode, double ink_width) {
   if (!model.unfinished) return {std::move(model), std::move(drawing)};
   model.unfinished.reset();
   const ContourInk ink = mode == Ink::paint ? ContourInk{} : find_ink(model, drawing);
@@ -24,13 +23,7 @@ DrawnModel finish_model(Model model, Drawing drawing, Ink mode) {
   take_off_ink(model, ink, rgba);
   if (lines) draw_in(DrawIn(ink), model);
   lay_patches(hidden_patches(model, drawing), model, rgba);
-  if (lines) add_ink(ink, inked, model, rgba);
-  return {std::move(model), std::move(drawing)};
-}
-
-DrawnModel finish_rims(Model model, Drawing drawing) {
-  if (model.unfinished == Visibility::orbit) narrow_inked_rims(model, drawing);
-  extend_paint(model, drawing);
+  if (lines) add_ink(ink, inked, ink_width, model, rgba);
   return {std::move(model), std::move(drawing)};
 }
 

@@ -12,14 +12,10 @@ struct DrawnModel {
 };
 
 /// Finishes a surface for files and pictures. Contours become lines, stay in the paint or are left
-/// out, as `ink` says; paint continues over rims, and hidden faces get colours (dress_hidden).
-/// Returns a model that is not `unfinished` as it is. Near-linear in pixels and triangles.
-DrawnModel finish_model(Model model, Drawing drawing, Ink ink);
-
-/// Finishes the rims alone (narrow_inked_rims, extend_paint), for a view that colours hidden faces
-/// itself (hidden_colours): texture coordinates and the size of the drawing stay. Linear in pixels
-/// and triangles.
-DrawnModel finish_rims(Model model, Drawing drawing);
+/// out, as `ink` says; lines are `ink_width` times as wide as drawn; paint continues over rims, and
+/// hidden faces get colours (dress_hidden). Returns a model that is not `unfinished` as it is.
+/// Near-linear in pixels and triangles.
+DrawnModel finish_model(Model model, Drawing drawing, Ink ink, double ink_width = 1);
 
 /// Gives triangles hidden behind other parts colours of their own, which the drawing does not have.
 /// The picture is the drawing, with paint carried over its rims (extend_paint), and below it the

@@ -42,20 +42,16 @@ class Floor {
     }
   }
 
-  /// Returns the least and the greatest height around a vertex, lowest() where no part is.
-  std::array<double, 2> range_at(Point2 uv) const {
+  /// Returns the greatest height around a place on the drawing, lowest() where no part is.
+  double height_at(Point2 uv) const {
     const int x = static_cast<int>(std::floor(uv.x * size_.width - 0.5));
     const int y = static_cast<int>(std::floor(uv.y * size_.height - 0.5));
-    constexpr double nothing = std::numeric_limits<float>::lowest();
-    std::array<double, 2> range{-nothing, nothing};
+    float most = std::numeric_limits<float>::lowest();
     for (const int u : {x, x + 1})
-      for (const int v : {y, y + 1}) {
-        const double z =
-            height_.at(std::clamp(u, 0, size_.width - 1), std::clamp(v, 0, size_.height - 1));
-        if (z == nothing) continue;
-        range = {std::min(range[0], z), std::max(range[1], z)};
-      }
-    return {std::min(range[0], range[1]), range[1]};
+      for (const int v : {y, y + 1})
+        most = std::max(most, height_.at(std::clamp(u, 0, size_.width - 1),
+                                         std::clamp(v, 0, size_.height - 1)));
+    return most;
   }
 
  private:

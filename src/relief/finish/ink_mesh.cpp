@@ -54,15 +54,16 @@ class InkTiles {
 
 /// Adds ribbons of a surface at their place. `scale`: px of the drawing per px of the canvas.
 void add_ribbons(const std::vector<InkRibbon>& ribbons, const InkTiles& tiles, double scale,
-                 double height, const SolidPlace& place, InkMesh& mesh) {
+                 double height, const SolidPlace& place, double width, InkMesh& mesh) {
   for (size_t i = 0; i < ribbons.size(); ++i) {
     int v = static_cast<int>(mesh.positions.size());
     for (const std::array<Point3, 2>& rung : ribbons[i].rungs)
-      for (const Point3& p : rung) {
+      for (const Point3& drawn : rung) {
+        const Point3 p = rung[0] + width * (drawn - rung[0]);
         mesh.positions.push_back({place.scale.x * p.x + place.shift.x,
                                   place.scale.y * p.y + place.shift.y,
                                   place.scale.z * p.z + place.shift.z});
-        mesh.uvs.push_back(tiles.corner(i) + scale * Point2{p.x, height - p.y});
+        mesh.uvs.push_back(tiles.corner(i) + scale * Point2{drawn.x, height - drawn.y});
       }
     // The part lies on the left of the line, the ribbon on its right.
     for (; v + 3 < static_cast<int>(mesh.positions.size()); v += 2) {
@@ -88,13 +89,13 @@ void draw_in_solid(const DrawIn& map, const SolidPlace& place, Point2 uv_per_px,
 
 /// Adds the lines of a surface to a body: itself, or the solid that it lies on.
 void add_lines(const ContourInk& ink, const Image8& inked, const Model& surface,
-               const std::vector<InkRibbon>& ribbons, const SolidPlace& place, const Model& body,
-               Model& model, Image8& picture) {
+               const std::vector<InkRibbon>& ribbons, const SolidPlace& place, double width,
+               const Model& body, Model& model, Image8& picture) {
   const double drawn = picture.height;
   const InkTiles tiles(ribbons, ink.parts, inked, picture);
   InkMesh mesh;
-  add_ribbons(ribbons, tiles, inked.width / surface.width, surface.height, place, mesh);
-  add_shells(ink.parts, body, place.scale.x, tiles.colours(), mesh);
+  add_ribbons(ribbons, tiles, inked.width / surface.width, surface.height, place, width, mesh);
+  add_shells(ink.parts, body, width * place.scale.x, tiles.colours(), mesh);
   for (Point2& uv : mesh.uvs) uv = {uv.x / picture.width, uv.y / picture.height};
   model.ink = std::move(mesh);
   for (Point2& uv : model.uvs) uv.y *= drawn / picture.height;
@@ -102,13 +103,14 @@ void add_lines(const ContourInk& ink, const Image8& inked, const Model& surface,
 
 }  // namespace
 
-void add_ink(const ContourInk& ink, const Image8& inked, Model& model, Image8& picture) {
+void add_ink(const ContourInk& ink, const Image8& inked, double width, Model& model,
+             Image8& picture) {
   const auto ribbons = make_ribbons(ink, model, {inked.width, inked.height}, Behind::nothing);
-  add_lines(ink, inked, model, ribbons, {{1, 1, 1}, {}, {}}, model, model, picture);
+  add_lines(ink, inked, model, ribbons, {{1, 1, 1}, {}, {}}, width, model, model, picture);
 }
 
-void add_ink(const ContourInk& ink, const Image8& inked, Model surface, const SolidPlace& place,
-             Model& solid, Image8& picture) {
+void add_ink(const ContourInk& ink, const Image8& inked, double width, Model surface,
+             const SolidPlace& place, Model& solid, Image8& picture) {
   const DrawIn map(ink);
   const Point2 uv_per_px{1 / surface.width, inked.height / (surface.height * picture.height)};
   draw_in_solid(map, place, uv_per_px, solid);
@@ -116,7 +118,7 @@ void add_ink(const ContourInk& ink, const Image8& inked, Model surface, const So
   const double plate = place.ground ? (*place.ground - place.shift.z) / place.scale.z : 0;
   const auto ribbons = make_ribbons(ink, surface, {inked.width, inked.height},
                                     place.ground ? Behind::plate : Behind::solid, plate);
-  add_lines(ink, inked, surface, ribbons, place, weld(solid), solid, picture);
+  add_lines(ink, inked, surface, ribbons, place, width, weld(solid), solid, picture);
 }
 
 }  // namespace relievo::relief

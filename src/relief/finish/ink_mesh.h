@@ -14,8 +14,10 @@ namespace relievo::relief {
 /// just above what lies behind. A shell, the surface once more, pushed out by the width of its ink
 /// and turned inside out, draws the contour of other views. Their colours are added below the
 /// picture, and texture coordinates of the model follow. `inked`: the drawing with its ink, three
-/// channels. Precondition: there are lines. O(n log n) for n triangles.
-void add_ink(const ContourInk& ink, const Image8& inked, Model& model, Image8& picture);
+/// channels. `width`: factor by which lines are wider than drawn. Precondition: there are lines.
+/// O(n log n) for n triangles.
+void add_ink(const ContourInk& ink, const Image8& inked, double width, Model& model,
+             Image8& picture);
 
 /// The place of a surface in a solid: scale * position + shift. The solid's texture coordinates lie
 /// on the picture up to v = `pictured`, and on plain colours below.
@@ -30,7 +32,7 @@ struct SolidPlace {
 
 /// The same for a solid, which is drawn in first. Ribbons lie over what is behind: other parts of
 /// `surface`, or the plate. The shell goes around the solid, whose last parts may have no ink.
-void add_ink(const ContourInk& ink, const Image8& inked, Model surface, const SolidPlace& place,
-             Model& solid, Image8& picture);
+void add_ink(const ContourInk& ink, const Image8& inked, double width, Model surface,
+             const SolidPlace& place, Model& solid, Image8& picture);
 
 }  // namespace relievo::relief

@@ -79,7 +79,7 @@ std::optional<Rung> rung_at(const OutlinePoint& p, const Model& surface, const F
                             Behind behind, double plate) {
   constexpr double nothing = std::numeric_limits<float>::lowest();
   const Point2 outer = p.place + p.outside * p.out;
-  const double below = floor.range_at({outer.x / surface.width, 1 - outer.y / surface.height})[1];
+  const double below = floor.height_at({outer.x / surface.width, 1 - outer.y / surface.height});
   Rung rung{surface.positions[p.vertex], {outer.x, outer.y, 0}};
   const double lift = ribbon_lift * std::max(surface.width, surface.height);
   if (below == nothing && behind == Behind::solid) return std::nullopt;

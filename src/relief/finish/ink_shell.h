@@ -9,9 +9,9 @@
 namespace relievo::relief {
 
 /// Adds the shells of parts to a mesh: their surfaces once more, pushed out along the normals by
-/// the width of their ink and turned inside out, with fewer triangles. `scale`: the model's units
-/// per canvas px. `uvs`: of the colour of each part. The last parts of the model may have no ink.
-/// O(n log n) for n triangles.
+/// the width of their ink and turned inside out, with fewer triangles. `scale`: what a width of one
+/// canvas px becomes in the model. `uvs`: of the colour of each part. The last parts of the model
+/// may have no ink. O(n log n) for n triangles.
 void add_shells(const std::vector<PartInk>& parts, const Model& model, double scale,
                 const std::vector<Point2>& uvs, InkMesh& mesh);
 

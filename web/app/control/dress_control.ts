@@ -1,16 +1,17 @@
+import { shownContourWidth } from '../../document/document';
 import { type Engine, EngineStopped } from '../../engine/engine';
 import { isFailure } from '../../engine/messages';
 import { lookOf, vectorSide } from '../../view/painted_drawing';
 import { type BuildControl, fullTolerance } from './build_control';
-import { type DressedRelief, type Editor, isDressed } from '../state/editor';
+import { type DressedRelief, dressedIn, type Editor } from '../state/editor';
 import { smallPicture } from '../files/pictures';
 
 /** A relief is dressed once it has been the current one for this long, ms. */
 const rest = 500;
 
 /**
- * Shows the full relief as exported files contain it once the hand rests. Its ink stays thin at rims
- * and no paper colour shows there.
+ * Shows the full relief as exported files contain it once the hand rests: its contours turn with it, and no
+ * paper colour shows at rims.
  */
 export class DressControl {
   private waiting = false;
@@ -31,7 +32,8 @@ export class DressControl {
     this.waiting = true;
     await new Promise((resolve) => setTimeout(resolve, rest));
     const look = lookOf(this.editor.document, this.editor.state.picture);
-    const dressed = relief === this.editor.state.relief && this.isWanted() ? await this.dress({ relief, look }) : null;
+    const contourWidth = shownContourWidth(this.editor.document.settings);
+    const dressed = relief === this.editor.state.relief && this.isWanted() ? await this.dress({ relief, look, contourWidth }) : null;
     this.waiting = false;
     if (dressed) this.editor.set({ dressed });
     else void this.follow();
@@ -40,15 +42,16 @@ export class DressControl {
   private isWanted(): boolean {
     const { build, preview, field, relief, picture } = this.editor.state;
     const isBuilt = build.phase === 'idle' && !preview && field === 'relief' && this.control.isUpToDate();
-    return isBuilt && relief !== this.tried && !isDressed(this.editor.state, lookOf(this.editor.document, picture));
+    const dressed = dressedIn(this.editor.state, lookOf(this.editor.document, picture));
+    return isBuilt && relief !== this.tried && dressed?.contourWidth !== shownContourWidth(this.editor.document.settings);
   }
 
   /** Returns the dressed relief, or null if it is outdated or the engine has other work by then. */
-  private async dress(of: Pick<DressedRelief, 'relief' | 'look'>): Promise<DressedRelief | null> {
+  private async dress(of: Pick<DressedRelief, 'relief' | 'look' | 'contourWidth'>): Promise<DressedRelief | null> {
     try {
       const drawing = await smallPicture(this.editor.document, this.editor.state.picture, vectorSide);
       if (!this.isWanted()) return null;
-      const made = await this.engine.dress(fullTolerance, drawing);
+      const made = await this.engine.dress(fullTolerance, of.contourWidth, drawing);
       if (!isFailure(made)) return { ...of, ...made };
       this.tried = of.relief;
     } catch (error) {

@@ -1,6 +1,7 @@
+import { type Settings, shownContourWidth } from '../../document/document';
 import { sceneText } from '../../document/scene_text';
 import type { Engine } from '../../engine/engine';
-import { type ExportFormat, isFailure, type MapKind, type OutputFile, type SolidFormat, errorText } from '../../engine/messages';
+import { type ExportFormat, type FileSettings, isFailure, type MapKind, type OutputFile, type SolidFormat, errorText } from '../../engine/messages';
 import { zipped } from '../files/archives';
 import type { BuildControl } from './build_control';
 import { t } from '../../words/catalogue';
@@ -24,6 +25,10 @@ export function download(file: OutputFile): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
+function fileSettings(settings: Settings): FileSettings {
+  return { sizeMm: settings.sizeMm, inkWidth: shownContourWidth(settings) };
+}
+
 /** Exports a document to files. Errors become notices. */
 export class Exports {
   constructor(
@@ -36,7 +41,7 @@ export class Exports {
     await this.exporting(async () => {
       const { document: doc, state } = this.editor;
       const texture = format === 'stl' ? null : textureOf(doc, state.picture);
-      const files = await this.engine.encode(format, doc.name, doc.settings.sizeMm, texture);
+      const files = await this.engine.encode(format, doc.name, fileSettings(doc.settings), texture);
       if (isFailure(files)) throw new Error(files.error.message);
       const [only, ...others] = files.files;
       if (only && others.length === 0) download(only);
@@ -47,7 +52,7 @@ export class Exports {
   solid = async (format: SolidFormat): Promise<void> => {
     await this.exporting(async () => {
       const { document: doc, state } = this.editor;
-      const options = solidOptions(state.print, doc.settings.sizeMm);
+      const options = { ...solidOptions(state.print, doc.settings.sizeMm), inkWidth: shownContourWidth(doc.settings) };
       const files = await this.engine.encodeSolid(format, doc.name, options, textureOf(doc, state.picture));
       if (isFailure(files)) throw new Error(errorText(files.error));
       const [only] = files.files;

@@ -1,8 +1,8 @@
 import { useEffect, useState } from 'preact/hooks';
-import { bledTexture, lookOf, sheetOf } from '../../view/painted_drawing';
+import { bledTexture, dressedSide, lookOf, sheetOf } from '../../view/painted_drawing';
 import { t } from '../../words/catalogue';
 import { whyOf } from '../control/exports';
-import { type Editor, isDressed } from '../state/editor';
+import { dressedIn, type Editor } from '../state/editor';
 
 /** The WebXR sessions that can show the model, in the order of preference: in the real room, then in a virtual one. */
 const modes = ['immersive-ar', 'immersive-vr'] as const;
@@ -16,7 +16,7 @@ async function supportedMode(): Promise<XRSessionMode | null> {
 export function RoomButton({ editor }: { editor: Editor }) {
   const [mode, setMode] = useState<XRSessionMode | null>(null);
   useEffect(() => void supportedMode().then(setMode), []);
-  const { relief, dressed, picture } = editor.state;
+  const { relief, picture } = editor.state;
   if (!mode || !relief) return null;
   const enter = async (): Promise<void> => {
     try {
@@ -25,8 +25,9 @@ export function RoomButton({ editor }: { editor: Editor }) {
       if (!session) return;
       const { document } = editor;
       const { showInRoom } = await import('../../view/room');
-      const [surface, drawing] = isDressed(editor.state, lookOf(document, picture)) && dressed
-        ? [dressed.surface, bledTexture(sheetOf(dressed), dressed.picture)]
+      const dressed = dressedIn(editor.state, lookOf(document, picture));
+      const [surface, drawing] = dressed
+        ? [dressed.surface, bledTexture(sheetOf(dressed), dressed.picture, dressedSide)]
         : [relief.surface, bledTexture(document, picture)];
       await showInRoom(session, { surface, drawing, sizeMm: document.settings.sizeMm });
     } catch (error) {

@@ -8,7 +8,7 @@ function tenTo(power: number): number {
   return Number((10 ** power).toPrecision(3));
 }
 
-/** Chooses how the relief is built and how parts without a drawing are inked. */
+/** Chooses how the relief is built, how contours are drawn and how parts without a drawing are inked. */
 export function SettingsPanel({ editor }: { editor: Editor }) {
   const { history } = useStore(editor);
   const { document } = history;
@@ -34,6 +34,12 @@ export function SettingsPanel({ editor }: { editor: Editor }) {
           <Slider label={t('lambdaBnd')} value={Math.log10(settings.lambdaBnd)} min={-3} max={2} step={0.1} onInput={(power) => set({ lambdaBnd: tenTo(power) }, 'lambda')} />
           <Slider label={t('lambdaShift')} value={Math.log10(settings.lambdaShift)} min={-2} max={2} step={0.1} onInput={(power) => set({ lambdaShift: tenTo(power) }, 'shift')} />
         </>
+      )}
+      <label class="check">
+        <input type="checkbox" id="contours" checked={settings.contours} onChange={() => set({ contours: !settings.contours }, 'contours')} /> {t('contours')}
+      </label>
+      {settings.contours && (
+        <Slider label={t('contourWidth')} value={settings.contourWidth} min={0.25} max={3} step={0.25} onInput={(contourWidth) => set({ contourWidth }, 'contour width')} />
       )}
       {!document.drawing && (
         <>

@@ -4,9 +4,9 @@ import type { Tool } from '../../tools/tool';
 import type { ModelShading } from '../../view/model_renderer';
 import { ModelView } from '../../view/model_view';
 import { listenToOrbit } from '../../view/orbit';
-import { isSameLook, lookOf, sheetOf } from '../../view/painted_drawing';
+import { dressedSide, isSameLook, lookOf, sheetOf } from '../../view/painted_drawing';
 import { t } from '../../words/catalogue';
-import type { Editor } from '../state/editor';
+import { dressedIn, type Editor } from '../state/editor';
 import { EnergyCurve } from './energy_curve';
 import { FieldSwitch } from './field_switch';
 import { ReliefBrush } from './relief_brush';
@@ -77,17 +77,16 @@ function follow(view: ModelView, editor: Editor): () => void {
   let before: readonly unknown[] = [];
   let look: readonly unknown[] = [];
   const update = (): void => {
-    const { relief, dressed, picture, shading, hovered, selected, history, preview, solid: made } = editor.state;
+    const { relief, picture, shading, hovered, selected, history, preview, solid: made } = editor.state;
     const document = preview ?? history.document;
     const solid = made && !isFailure(made) ? made : null;
     const looks = lookOf(document, picture);
-    // The paint around the rims of one relief also suits the next one.
-    const pictured = solid ?? (dressed && isSameLook(dressed.look, looks) ? dressed : null);
-    const surface = solid?.surface ?? (dressed?.relief === relief ? dressed?.surface : relief?.surface) ?? null;
+    const pictured = solid ?? dressedIn(editor.state, looks);
+    const surface = (pictured ?? relief)?.surface ?? null;
     const now = [surface, pictured, shading, hovered ?? selected, document.name];
     if (now[1] !== before[1] || now[4] !== before[4] || !isSameLook(looks, look)) {
       look = looks;
-      if (pictured) view.paint(sheetOf(pictured), pictured.picture);
+      if (pictured) view.paint(sheetOf(pictured), pictured.picture, dressedSide);
       else view.paint(picture || document.parts.length > 0 ? document : null, picture, preview ? previewSide : undefined);
     }
     if (surface !== before[0]) {

@@ -27,6 +27,8 @@ interface BuildState {
 export interface DressedRelief extends Dressed {
   relief: BuiltRelief;
   look: readonly unknown[];
+  /** Factor for the width of its contours; 0: it has none. */
+  contourWidth: number;
 }
 
 /** The place of a document on the shelf. `keep: 'changes'` saves it only once it is changed. */
@@ -104,9 +106,9 @@ export interface EditorState {
   pending: Document | null;
 }
 
-/** Returns whether the current relief is dressed in this look of the document. */
-export function isDressed({ relief, dressed }: EditorState, look: readonly unknown[]): boolean {
-  return dressed !== null && dressed.relief === relief && isSameLook(dressed.look, look);
+/** Returns the current relief dressed in this look of the document, with contours of any width, or null. */
+export function dressedIn({ relief, dressed }: EditorState, look: readonly unknown[]): DressedRelief | null {
+  return dressed?.relief === relief && dressed && isSameLook(dressed.look, look) ? dressed : null;
 }
 
 function firstState(): EditorState {

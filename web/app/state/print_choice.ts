@@ -24,7 +24,7 @@ export function solidOptions({ kind, height, detail, thickness, hang }: PrintCho
   const plate = kind !== 'figure';
   return {
     size, height, detail, thickness,
-    back: plate ? 'flat' : 'parts',
+    back: plate ? 'flat' : 'plain',
     base: bases[kind],
     hole: plate && hang === 'hole' ? hole : 0,
     ring: plate && hang === 'ring' ? hole : 0,

@@ -6,7 +6,7 @@ import { isFailure, type OutputFile } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, root, temporaryFolder } from '../support/command_line';
 import { disc, photoshopOf } from '../support/pictures';
-import { must, shown, startService, usual } from './service';
+import { must, shown, startService, usual, usualFile } from './service';
 
 let service: ReliefService;
 beforeAll(async () => {
@@ -48,7 +48,7 @@ function expectSameModel(files: OutputFile[], input: string): void {
   const { scene = '' } = must(service.importLayers(files));
   expectSameScene(scene, input);
   must(service.build({ scene, options: usual, ...shown }, () => undefined));
-  const [stl] = must(service.encode('stl', 'layers', 100, null)).files;
+  const [stl] = must(service.encode('stl', 'layers', usualFile, null)).files;
   expect(Buffer.from(stl!.bytes).equals(readFileSync(model))).toBe(true);
   const depth = must(service.map('depth', 2048, false)).bytes;
   expect(Buffer.from(depth).equals(readFileSync(map))).toBe(true);

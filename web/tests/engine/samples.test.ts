@@ -3,11 +3,11 @@ import { join } from 'node:path';
 import { unzipSync } from 'fflate';
 import validator from 'gltf-validator';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { type BuildOptions, isFailure, type SolidFormat, type SolidOptions, type Surface, type Texture } from '../../engine/messages';
+import { type BuildOptions, isFailure, type SolidFormat, type SolidOptions, type Texture } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, root, temporaryFolder } from '../support/command_line';
 import { pngOf } from '../support/pictures';
-import { must, shown, startService, usual } from './service';
+import { must, shown, startService, usual, usualFile } from './service';
 
 const samples = ['bunny', 'elephant', 'farmer', 'lamb', 'unicorn', 'wolf'];
 
@@ -46,20 +46,22 @@ describe('the engine and the command line', () => {
     const scene = importSample(name);
     native(name, scene, '-o', join(folder, `${name}.glb`), '--normal-map', join(folder, `${name}.png`));
     build(scene);
-    const [file] = must(service.encode('glb', name, 100, null)).files;
+    const [file] = must(service.encode('glb', name, usualFile, null)).files;
     expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `${name}.glb`)))).toBe(true);
     const map = must(service.map('normal', 2048, false)).bytes;
     expect(Buffer.from(map).equals(readFileSync(join(folder, `${name}.png`)))).toBe(true);
   });
 
-  it('narrow the same rims of a circle with a broad black stroke', () => {
+  it('make the same lines of the contour of a circle', () => {
     const size = 200;
     const middle = size / 2;
     const radius = 87;
+    const [black, orange] = [[0, 0, 0], [232, 160, 106]] as const;
     const paint = (x: number, y: number) => {
       const inside = radius - Math.hypot(x + 0.5 - middle, y + 0.5 - middle);
-      if (inside < 0) return [0, 0, 0, 0] as const;
-      return inside < 6 ? ([0, 0, 0, 255] as const) : ([232, 160, 106, 255] as const);
+      const mixed = Math.min(1, Math.max(0, inside - 5.5));
+      const [r, g, b] = black.map((ink, c) => Math.round((1 - mixed) * ink + mixed * orange[c]!)) as [number, number, number];
+      return [r, g, b, Math.round(255 * Math.min(1, Math.max(0, inside + 0.5)))] as const;
     };
     const outline = Array.from({ length: 120 }, (_, i) => {
       const turn = (i * Math.PI) / 60;
@@ -70,18 +72,22 @@ describe('the engine and the command line', () => {
       parts: [{ id: 'ball', outline: [outline] }],
     });
     writeFileSync(join(folder, 'circle.png'), pngOf(size, size, paint));
-    native('circle', scene, '-o', join(folder, 'circle.glb'), '-o', join(folder, 'circle.stl'));
     build(scene);
     const rgba = Uint8Array.from(Array.from({ length: size * size }, (_, i) => paint(i % size, Math.floor(i / size))).flat());
-    for (const format of ['glb', 'stl'] as const) {
-      const [file] = must(service.encode(format, 'circle', 100, { rgba, width: size, height: size })).files;
-      expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `circle.${format}`)))).toBe(true);
+    const picture = { rgba, width: size, height: size };
+    for (const [inkWidth, options] of [[1, []], [2, ['--ink-width', '2']], [0, ['--ink', 'none']]] as const) {
+      native('circle', scene, '-o', join(folder, 'circle.glb'), ...options);
+      const [file] = must(service.encode('glb', 'circle', { sizeMm: 100, inkWidth }, picture)).files;
+      expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, 'circle.glb')))).toBe(true);
     }
-    const { surface: narrowed } = must(service.dress(shown.tolerance, { rgba, width: size, height: size }));
-    const whole = must(service.surface(shown));
-    expect(narrowed.pixelArt).toBe(true);
-    const heights = ({ positions }: Surface): number => positions.reduce((sum, p, i) => (i % 3 === 2 ? sum + p : sum), 0);
-    expect(heights(narrowed) / heights(whole)).toBeLessThan(0.9);
+    const reach = (positions: Float32Array | undefined): number => positions?.reduce((most, x, i) => (i % 3 === 0 ? Math.max(most, x) : most), 0) ?? 0;
+    for (const [inkWidth, most] of [[1, 187], [2, 193]] as const) {
+      const { surface } = must(service.dress(shown.tolerance, inkWidth, picture));
+      // The surface ends at the inner edge of the contour.
+      expect(reach(surface.positions)).toBeCloseTo(181, -0.5);
+      expect(Math.abs(reach(surface.ink?.positions) - most)).toBeLessThan(1.5);
+    }
+    expect(must(service.dress(shown.tolerance, 0, picture)).surface.ink).toBeUndefined();
   });
 
   it('make the same bytes after edits that reuse the build before', () => {
@@ -95,7 +101,7 @@ describe('the engine and the command line', () => {
     expect(report.times['order']).toBeGreaterThan(0);
     const map = must(service.map('depth', 2048, false)).bytes;
     expect(Buffer.from(map).equals(readFileSync(join(folder, 'edited.png')))).toBe(true);
-    const [file] = must(service.encode('glb', 'edited', 100, null)).files;
+    const [file] = must(service.encode('glb', 'edited', usualFile, null)).files;
     expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, 'edited.glb')))).toBe(true);
   });
 
@@ -105,7 +111,7 @@ describe('the engine and the command line', () => {
     native('lamb', scene, '--method', 'nonlinear', ...outputs);
     build(scene, { method: 'nonlinear' });
     for (const format of ['obj', 'ply', 'stl'] as const) {
-      const [file] = must(service.encode(format, 'lamb', 100, null)).files;
+      const [file] = must(service.encode(format, 'lamb', usualFile, null)).files;
       expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `lamb.${format}`)))).toBe(true);
     }
   });
@@ -118,7 +124,7 @@ describe('the engine and the command line', () => {
     build(scene);
     const none: Texture = { rgba: new Uint8Array(), width: 0, height: 0 };
     const same = (format: SolidFormat, name: string, options: SolidOptions): void => {
-      const [file] = must(service.encodeSolid(format, name, options, none)).files;
+      const [file] = must(service.encodeSolid(format, name, { ...options, inkWidth: 1 }, none)).files;
       expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `${name}.${format}`)))).toBe(true);
     };
     same('stl', 'plaque', plaque);
@@ -126,9 +132,9 @@ describe('the engine and the command line', () => {
     same('stl', 'figure', figure);
     same('usdz', 'figure', figure);
     native('standing', scene, '-o', join(folder, 'standing.stl'), '--profile', 'figure', '--base', 'round');
-    same('stl', 'standing', { back: 'drawing', base: 'round' });
+    same('stl', 'standing', { back: 'plain', base: 'round' });
     const packed = unzipSync(readFileSync(join(folder, 'figure.3mf')));
-    for (const { name, bytes } of must(service.encodeSolid('3mf', 'figure', figure, none)).files)
+    for (const { name, bytes } of must(service.encodeSolid('3mf', 'figure', { ...figure, inkWidth: 1 }, none)).files)
       expect(Buffer.from(bytes).equals(packed[name]!), name).toBe(true);
     for (const [wrong, where] of [[{ size: -1 }, 'size'], [{ base: 'square' }, 'base'], [{ sizes: 1 }, 'sizes']] as const) {
       const refused = service.solid(wrong as SolidOptions, none);
@@ -141,7 +147,7 @@ describe('the engine', () => {
   it('embeds a drawing in files that the validator accepts', async () => {
     build(importSample('wolf'), { vertices: 4000 });
     const texture = { rgba: new Uint8Array(64 * 64 * 4).fill(200), width: 64, height: 64 };
-    const [file] = must(service.encode('glb', 'wolf', 100, texture)).files;
+    const [file] = must(service.encode('glb', 'wolf', usualFile, texture)).files;
     const report = await validator.validateBytes(file!.bytes);
     expect(report.issues.numErrors).toBe(0);
     expect(report.issues.numWarnings).toBe(0);

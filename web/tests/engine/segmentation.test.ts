@@ -12,7 +12,7 @@ import { isFailure } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, root, temporaryFolder } from '../support/command_line';
 import { pngOf } from '../support/pictures';
-import { must, network, shown, startService, usual } from './service';
+import { must, network, shown, startService, usual, usualFile } from './service';
 
 const bear = readFileSync(join(root, 'examples/bear.png'));
 
@@ -234,7 +234,7 @@ describe('a project of a flat drawing', () => {
     writeFileSync(file, writeProject(document, null));
     relievo('build', file, '-q', '--vertices', '20000', '-o', model, '-o', join(folder, 'a.stl'));
     must(service.build({ scene: sceneText(document), options: usual, ...shown }, () => undefined));
-    const [stl] = must(service.encode('stl', 'a', 100, null)).files;
+    const [stl] = must(service.encode('stl', 'a', usualFile, null)).files;
     expect(Buffer.from(stl!.bytes).equals(readFileSync(join(folder, 'a.stl')))).toBe(true);
     relievo('segment', file, '-q', '-o', anew);
     const proposed = readProject(readFileSync(anew));

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { type BuildOptions, type Failure, isFailure } from '../../engine/messages';
+import { type BuildOptions, type FileSettings, type Failure, isFailure } from '../../engine/messages';
 import { ReliefService } from '../../engine/relief_service';
 import { root } from '../support/command_line';
 
@@ -14,6 +14,9 @@ export const usual: BuildOptions = {
   lambdaShift: 1,
   glue: true,
 };
+
+/** Settings of files, as the command line has them. */
+export const usualFile: FileSettings = { sizeMm: 100, inkWidth: 1 };
 
 export const shown = { drawing: null, visibility: 'orbit', tolerance: 0.25, field: 'relief' } as const;
 
