@@ -19,6 +19,7 @@ constexpr double level_share = 0.1;   ///< variation of paint, of its contrast t
 constexpr double level_run = 4;       ///< px over which paint stays level
 constexpr double off_outline = 2;     ///< px from the outline at which parts are looked up
 constexpr double core_reach = 2.5;    ///< px from the outline at which there is ink, if any
+constexpr int paper_distance = 60;    ///< RGB distance of ink from the paper around
 constexpr double step = 0.5;          ///< px between samples
 
 /// Returns the pixel that a point lies on, or the nearest to it.
@@ -101,9 +102,25 @@ std::optional<Crossing> InkProbe::cross(Point2 at, Point2 out) const {
       found.outside = std::min(*outer, widest_);
   const double core =
       step * static_cast<double>(is_beyond ? outwards.begin() - beyond : in - inwards.begin());
-  const uint8_t* c = pixel_at(rgba_, at - core * out);
-  for (size_t k = 0; k < 3; ++k) found.rgb[k] = on_paper(c[k], c[3]);
+  found.rgb = colour(at - core * out);
+  if (is_on_paper_of(found.rgb, at, out)) return std::nullopt;
   return found;
+}
+
+std::array<uint8_t, 3> InkProbe::colour(Point2 p) const {
+  const uint8_t* c = pixel_at(rgba_, p);
+  return {on_paper(c[0], c[3]), on_paper(c[1], c[3]), on_paper(c[2], c[3])};
+}
+
+bool InkProbe::is_on_paper_of(std::array<uint8_t, 3> rgb, Point2 at, Point2 out) const {
+  for (double t = off_outline; t <= widest_; ++t) {
+    if (part_at(at + t * out) != 0) return false;
+    int squared = 0;
+    const std::array<uint8_t, 3> here = colour(at + t * out);
+    for (size_t k = 0; k < 3; ++k) squared += (here[k] - rgb[k]) * (here[k] - rgb[k]);
+    if (squared > paper_distance * paper_distance) return false;
+  }
+  return true;
 }
 
 int InkProbe::part_at(Point2 p) const {

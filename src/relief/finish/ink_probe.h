@@ -39,6 +39,9 @@ class InkProbe {
 
  private:
   int part_at(Point2 p) const;
+  std::array<uint8_t, 3> colour(Point2 p) const;
+  /// Returns whether all that lies outside a point of an outline is paper of about this colour.
+  bool is_on_paper_of(std::array<uint8_t, 3> rgb, Point2 at, Point2 out) const;
   double brightness(Point2 p) const;
   std::vector<double> brightness_from(Point2 at, Point2 direction, double length) const;
 

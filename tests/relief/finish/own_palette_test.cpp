@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 
+#include "relief/finish/extend_paint.h"
 #include "relief/finish/finish_model.h"
 #include "relief/finish/model_texture.h"
 #include "support/analytic_discs.h"

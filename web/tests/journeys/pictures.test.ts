@@ -67,3 +67,37 @@ it('guesses the parts of a flat picture, which can then be edited like any other
   await settled(page);
   expect(stage.troubles).toEqual([]);
 });
+
+it('draws contours as lines of any width, or leaves them out', async () => {
+  const { page } = stage;
+  const dark = async (): Promise<number> => (await coloursOfRelief(page)).filter((colour) => Math.max(...colour) < 80).length;
+  await page.locator('.model canvas').focus();
+  for (let i = 0; i < 8; i++) await page.keyboard.press('ArrowRight');
+  /** Returns that number once the view has come to rest. */
+  const rested = async (): Promise<number> => {
+    let before = -1;
+    for (let now = await dark(); now !== before; now = await dark()) {
+      before = now;
+      await page.waitForTimeout(3000);
+    }
+    return before;
+  };
+  const changeSettings = async (change: () => Promise<void>): Promise<void> => {
+    const settings = page.getByRole('button', { name: 'Settings' });
+    await settings.click();
+    await change();
+    await settings.click();
+  };
+  // The words on the buttons are dark too.
+  const drawn = await rested();
+  await changeSettings(() => page.getByLabel('Width of contours').fill('2.5'));
+  const broad = await rested();
+  expect(broad).not.toBe(drawn);
+  await picture(page, 'broad-contours');
+  await changeSettings(() => page.locator('#contours').uncheck());
+  expect(await rested()).toBeLessThan(0.8 * broad);
+  await picture(page, 'no-contours');
+  await page.keyboard.press('Control+z');
+  expect(await rested()).toBe(broad);
+  expect(stage.troubles).toEqual([]);
+});
