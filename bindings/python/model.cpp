@@ -90,15 +90,18 @@ void bind_model(py::module_& module) {
       .def(
           "save",
           [](const ShownModel& self, const fs::path& path, std::optional<double> size,
-             bool grounded, int texture_size, int filaments, Slicer slicer) {
+             bool grounded, int texture_size, int filaments, Slicer slicer, std::optional<Ink> ink,
+             double ink_width) {
             const ExportOptions options = {.grounded = grounded,
                                            .texture_size = texture_size,
                                            .filaments = filaments,
-                                           .slicer = slicer};
+                                           .slicer = slicer,
+                                           .ink = ink,
+                                           .ink_width = ink_width};
             run([&](const RunContext&) { return save(self, path, size, options); });
           },
           py::arg("path"), py::arg("size"), py::arg("grounded"), py::arg("texture_size"),
-          py::arg("filaments"), py::arg("slicer"))
+          py::arg("filaments"), py::arg("slicer"), py::arg("ink"), py::arg("ink_width"))
       .def("render", render, py::arg("options"));
 }
 

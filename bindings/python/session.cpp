@@ -101,6 +101,10 @@ void bind_options(py::module_& module) {
 void bind_solid_options(py::module_& module) {
   py::enum_<BaseShape> shapes(module, "BaseShape");
   for (const auto& [name, shape] : base_shapes) shapes.value(name, shape);
+  py::enum_<Ink>(module, "Ink")
+      .value("shell", Ink::shell)
+      .value("paint", Ink::paint)
+      .value("none", Ink::none);
   py::enum_<BackSide> sides(module, "BackSide");
   for (const auto& [name, side] : back_sides) sides.value(name, side);
   py::class_<SolidOptions> options(module, "SolidOptions");
@@ -108,7 +112,9 @@ void bind_solid_options(py::module_& module) {
       .def_readwrite("back", &SolidOptions::back)
       .def_readwrite("base", &SolidOptions::base)
       .def_readwrite("mirror", &SolidOptions::mirror)
-      .def_readwrite("detail", &SolidOptions::detail);
+      .def_readwrite("detail", &SolidOptions::detail)
+      .def_readwrite("ink", &SolidOptions::ink)
+      .def_readwrite("ink_width", &SolidOptions::ink_width);
   for (const SolidLength& length : solid_lengths)
     options.def_readwrite(length.name, length.value, length.text);
 }
@@ -132,6 +138,7 @@ void bind_render_options(py::module_& module) {
       .def_readwrite("light_radius", &RenderOptions::light_radius)
       .def_readwrite("samples", &RenderOptions::samples)
       .def_readwrite("ambient_rays", &RenderOptions::ambient_rays)
+      .def_readwrite("ink", &RenderOptions::ink)
       .def_property(
           "light",
           [](const RenderOptions& self) {

@@ -35,6 +35,7 @@ struct RenderOptions {
   double light_radius = 9;         ///< of the key light as seen from the model, degrees, [0, 60]
   int samples = 6;                 ///< rays to the model per pixel, 1 to 1024
   int ambient_rays = 3;            ///< rays to the surroundings per sample, 0 to 64
+  Ink ink = Ink::shell;            ///< of a model that is `unfinished`, if it is textured
 };
 
 enum class View { front, three_quarter, side };

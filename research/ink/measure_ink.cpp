@@ -1,5 +1,5 @@
-// Measures the contours of models: how far the front view departs from the drawing, and how much
-// ink is left on lit surfaces when the model is turned.
+// Measures the contours of models: how far the front view departs from the drawing, how much ink is
+// left on lit surfaces when the model is turned, and how the width of the contour changes then.
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,29 +77,58 @@ Front front_view(const Model& model, const Drawing& drawing, const RayScene& sce
   return front;
 }
 
-/// A turned view, in pixels.
-struct Turned {
-  double figure = 0;  ///< pixels of the model
-  double dark = 0;    ///< pixels of lit surface that show the ink of outlines
+/// Views from the side.
+class Camera {
+ public:
+  Camera(const Model& model, double yaw) {
+    const double a = yaw * std::numbers::pi / 180;
+    const double unit = std::max(model.width, model.height) / turned_side * 1.2;
+    across_ = unit * Point3{std::cos(a), 0, -std::sin(a)};
+    down_ = {0, -unit, 0};
+    back_ = {std::sin(a), 0, std::cos(a)};
+    corner_ = Point3{0.5 * model.width, 0.5 * model.height, 0} + far_of(model) * back_ -
+              0.5 * turned_side * (across_ + down_);
+  }
+
+  /// Returns what a scene shows at a pixel.
+  std::optional<RayHit> hit(const RayScene& scene, int x, int y) const {
+    return scene.first_hit(corner_ + x * across_ + y * down_, -1 * back_);
+  }
+
+ private:
+  Point3 across_;
+  Point3 down_;
+  Point3 back_;
+  Point3 corner_;
 };
 
-/// Counts the pixels of paint that are as dark as ink and lie in the band of contours.
-Turned turned_view(const Model& model, const Drawing& drawing, const RayScene& scene,
-                   const Image8& band, double darkest, double yaw) {
-  const double a = yaw * std::numbers::pi / 180;
-  const Point3 right{std::cos(a), 0, -std::sin(a)};
-  const Point3 back{std::sin(a), 0, std::cos(a)};
-  Turned turned;
-  const double unit = std::max(model.width, model.height) / turned_side * 1.2;
-  const Point3 centre{0.5 * model.width, 0.5 * model.height, 0};
-  const double far = far_of(model);
+/// Returns the mean width of the ink around the silhouette of a model, px: the area that it covers
+/// beyond the model, per length of its outline.
+double contour_width(const Model& model, const RayScene& inked, const RayScene& bare, double yaw) {
+  const Camera camera(model, yaw);
+  Image8 body(turned_side, turned_side, 1);
+  double area = 0;
+  double sides = 0;
   for (int y = 0; y < turned_side; ++y)
     for (int x = 0; x < turned_side; ++x) {
-      const Point3 from = centre + unit * (x - 0.5 * turned_side) * right +
-                          Point3{0, unit * (0.5 * turned_side - y), 0} + far * back;
-      const auto hit = scene.first_hit(from, -1 * back);
+      body.at(x, y) = camera.hit(bare, x, y) ? 1 : 0;
+      if (body.at(x, y) == 0 && camera.hit(inked, x, y)) ++area;
+      if (x > 0 && body.at(x, y) != body.at(x - 1, y)) ++sides;
+      if (y > 0 && body.at(x, y) != body.at(x, y - 1)) ++sides;
+    }
+  // A line of any direction crosses 4 / pi times as many sides of pixels as it is long, on average.
+  return area / std::max(1.0, std::numbers::pi / 4 * sides);
+}
+
+/// Counts the pixels of paint that are as dark as ink and lie in the band of contours.
+double dark_pixels(const Model& model, const Drawing& drawing, const RayScene& scene,
+                   const Image8& band, double darkest, double yaw) {
+  const Camera camera(model, yaw);
+  double dark = 0;
+  for (int y = 0; y < turned_side; ++y)
+    for (int x = 0; x < turned_side; ++x) {
+      const auto hit = camera.hit(scene, x, y);
       if (!hit || hit->is_ink) continue;
-      ++turned.figure;
       Point2 at;
       for (size_t k = 0; k < 3; ++k) {
         const double w = k == 0 ? 1 - hit->u - hit->v : k == 1 ? hit->u : hit->v;
@@ -110,9 +140,9 @@ Turned turned_view(const Model& model, const Drawing& drawing, const RayScene& s
       const int py =
           std::clamp(static_cast<int>((1 - at.y / model.height) * band.height), 0, band.height - 1);
       const auto rgb = texel(drawing.rgba, texture_place(model, *hit));
-      if (band.at(px, py) != 0 && (rgb[0] + rgb[1] + rgb[2]) / 3 < darkest) ++turned.dark;
+      if (band.at(px, py) != 0 && (rgb[0] + rgb[1] + rgb[2]) / 3 < darkest) ++dark;
     }
-  return turned;
+  return dark;
 }
 
 Bytes read_all(const std::string& path) {
@@ -141,8 +171,9 @@ bool measure(const std::string& drawing_path, const std::string& model_path) {
 
   const RunContext context;
   const auto scene = RayScene::build(glb->model, glb->model.ink, context);
+  const auto bare = RayScene::build(glb->model, {}, context);
   const auto whole = RayScene::build(*surface, {}, context);
-  if (!scene || !whole) return false;
+  if (!scene || !bare || !whole) return false;
   const Front front = front_view(glb->model, glb->drawing, *scene, rgba.width, rgba.height);
   const Front full = front_view(*surface, drawn->drawing, *whole, rgba.width, rgba.height);
   Image8 shown = front.rgb;
@@ -175,11 +206,10 @@ bool measure(const std::string& drawing_path, const std::string& model_path) {
         .write(reinterpret_cast<const char*>(png->data()), std::ssize(*png));
   }
   std::printf("%s\t%.2f\t%.4f", name.c_str(), 100 * wrong / figure, common / united);
-  for (const double yaw : {45.0, 75.0, 90.0}) {
-    const Turned t = turned_view(glb->model, glb->drawing, *scene, band, darkest, yaw);
-    std::printf("\t%.0f", t.dark);
-  }
-  std::printf("\n");
+  for (const double yaw : {45.0, 75.0, 90.0})
+    std::printf("\t%.0f", dark_pixels(glb->model, glb->drawing, *scene, band, darkest, yaw));
+  std::printf("\t%.2f\n", contour_width(glb->model, *scene, *bare, 45) /
+                              contour_width(glb->model, *scene, *bare, 0));
   return true;
 }
 

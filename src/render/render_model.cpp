@@ -8,6 +8,7 @@
 #include "kernel/base/workers.h"
 #include "kernel/geometry/box3.h"
 #include "kernel/image/compose.h"
+#include "relief/finish/finish_model.h"
 #include "relief/finish/model_texture.h"
 #include "relievo/model.h"
 #include "relievo/point.h"
@@ -240,12 +241,21 @@ Result<Image8> render(const Model& model, const Drawing* drawing, const RenderOp
 
 constexpr std::array<View, 3> sheet_views = {View::front, View::three_quarter, View::side};
 
+/// Finishes the surface for a textured picture; returns nothing if that is done or not needed.
+std::optional<relief::DrawnModel> finished(const Model& model, const Drawing* drawing,
+                                           const RenderOptions& options) {
+  if (!model.unfinished || !drawing || options.shading == Shading::clay) return std::nullopt;
+  return relief::finish_model(model, *drawing, options.ink);
+}
+
 }  // namespace
 
 Result<Image8> render_model(const Model& model, const Drawing* drawing,
                             const RenderOptions& options, const RunContext& context) {
   if (Status status = check_options(options, drawing); !status) return status.error();
   if (Status status = check_model(model); !status) return status.error();
+  if (const auto drawn = finished(model, drawing, options))
+    return render(drawn->model, &drawn->drawing, options, std::nullopt, context);
   return render(model, drawing, options, std::nullopt, context);
 }
 
@@ -258,6 +268,8 @@ Result<Image8> render_contact_sheet(const Model& model, const Drawing* drawing,
   if (int64_t{count} * options.width * options.height > max_pixels)
     return Error{ErrorCode::limit, "the picture is too large", "render"};
   if (Status status = check_model(model); !status) return status.error();
+  if (const auto drawn = finished(model, drawing, options))
+    return render_contact_sheet(drawn->model, &drawn->drawing, options, context);
   double unit = 0;
   for (const View view : sheet_views)
     unit = std::max(unit, framing_camera(model, seen_from(view, cell)).unit);

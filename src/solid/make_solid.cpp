@@ -30,7 +30,7 @@ namespace {
 
 constexpr double least_gap = 0.05;    ///< mm between sides that would touch in a point
 constexpr double least_depth = 0.4;   ///< mm of a figure; its back is lowered for that
-constexpr double soft_share = 0.04;   ///< width of ramps on a figure's back, of its size
+constexpr double soft_share = 0.015;  ///< width of ramps on a figure's back, of its size
 constexpr double size_slack = 0.001;  ///< by which a figure on a base may miss its size
 constexpr int most_fits = 4;          ///< times that a figure is made to get its size
 
@@ -177,7 +177,9 @@ Result<SolidLimb> make_limb(const FieldMaker& maker, const relief::LimbSheet& li
   const FieldEdges edges = connect_field(field);
   if (Status status = maker.add_back(edges, field); !status) return status.error();
   settle_heights(edges, field);
-  auto model = raise_walls(field, edges, parts, maker.paint);
+  // Both sides of a mirrored limb show the limb's own paint.
+  const BackPaint paint{{}, maker.paint.shrink, 0, 1, maker.paint.plate, maker.paint.parts};
+  auto model = raise_walls(field, edges, parts, paint);
   if (!model) return model.error();
   const GridPlacement& placement = maker.placement;
   const int64_t twice =
@@ -261,13 +263,12 @@ void add_contours(const relief::TakenInk& ink, const Model& surface, const Solid
   const Point3 scale{placement.scale, placement.scale, placement.height_scale};
   const Point3 o = placement.origin;
   const double unit = placement.unit;
-  relief::SolidPlace place{
+  const relief::SolidPlace place{
       scale,
       {-scale.x * o.x - unit * static_cast<double>(made.low.x),
        -scale.y * o.y - unit * static_cast<double>(made.low.y), -scale.z * o.z},
-      made.pictured};
-  if (options.back == BackSide::flat)
-    place.ground = options.base == BaseShape::none ? 0 : options.thickness;
+      made.pictured,
+      options.back != BackSide::flat};
   relief::add_ink(ink.contours, ink.inked, options.ink_width, surface, place, made.solid.model,
                   made.solid.drawing.rgba);
 }

@@ -34,8 +34,32 @@ TEST_F(InkOption, ContoursBecomeLinesPaintOrNothing) {
   }
   ASSERT_EQ(relievo(with({"--ink", "shell"})).exit_code, 0);
   EXPECT_TRUE(read("m.glb") == shell);
+  ASSERT_EQ(relievo(with({"--ink-width", "2"})).exit_code, 0);
+  EXPECT_EQ(ink_of("m.glb"), lines);
+  EXPECT_FALSE(read("m.glb") == shell);
+  expect_failure(with({"--ink-width", "0"}), 2, "--ink-width");
   expect_failure({"build", "inked.svg", "-o", "n.obj", "--ink", "shell"}, 2,
                  ".glb, .usdz or .html");
+}
+
+TEST_F(InkOption, FiguresHaveLinesInGamesAndNoneInPrints) {
+  write("inked.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="400" height="400">
+  <g id="body" data-relievo="part"><circle cx="200" cy="200" r="120" fill="#ca8"
+    stroke="#000" stroke-width="8"/></g></svg>)");
+  const std::vector<std::string> base = {"build", "inked.svg", "--vertices",
+                                         "3000",  "--profile", "figure"};
+  const auto with = [&base](std::vector<std::string> more) {
+    more.insert(more.begin(), base.begin(), base.end());
+    return more;
+  };
+  ASSERT_EQ(relievo(with({"-o", "m.stl"})).exit_code, 0);
+  const std::string alone = read("m.stl");
+  ASSERT_EQ(relievo(with({"-o", "m.stl", "-o", "m.glb", "-o", "m.ply"})).exit_code, 0);
+  EXPECT_TRUE(read("m.stl") == alone);
+  const std::string bytes = read("m.glb");
+  const auto glb = decode_glb(Bytes(bytes.begin(), bytes.end()));
+  ASSERT_TRUE(glb.ok());
+  EXPECT_GT(glb->model.ink.triangles.size(), 100U);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -70,42 +71,129 @@ TEST(Figure, HasTheDrawingOrThePartsColoursBehind) {
   }
 }
 
-/// A red disc below a ball of radius 40 px, with a contour of black ink 4 px wide.
-Drawing inked_disc() {
+/// A red disc below a ball of radius 40 px, with a contour of black ink 4 px wide. `eye`: whether
+/// there is a black spot near the middle.
+Drawing inked_disc(bool eye = false) {
   Drawing drawing{Image8(200, 200, 4, 255)};
   for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 200; ++x) {
       const double from_rim = 80 - std::hypot(x + 0.5 - 100, y + 0.5 - 100);
       if (from_rim < 0) continue;
-      drawing.rgba.at(x, y, 0) = from_rim < 8 ? 0 : 255;
+      const bool spot = eye && std::hypot(x + 0.5 - 120, y + 0.5 - 80) < 12;
+      const double red = spot ? 0 : std::clamp(from_rim - 7.5, 0.0, 1.0);
+      drawing.rgba.at(x, y, 0) = static_cast<uint8_t>(std::lround(255 * red));
       drawing.rgba.at(x, y, 1) = drawing.rgba.at(x, y, 2) = 0;
     }
   return drawing;
 }
 
-/// The mm^2 of ink on a model.
-double inked_area(const Solid& solid) {
+/// Returns the mm^2 of a solid whose colour is dark. `behind`: of what faces backwards alone.
+double dark_area(const Solid& solid, bool behind) {
   const Model& model = solid.model;
   const Image8& rgba = solid.drawing.rgba;
   double area = 0;
   for (const std::array<int, 3>& t : model.triangles) {
     const Point2 uv = (1.0 / 3) * (model.uvs[t[0]] + model.uvs[t[1]] + model.uvs[t[2]]);
-    if (rgba.at(static_cast<int>(uv.x * rgba.width), static_cast<int>(uv.y * rgba.height), 0) != 0)
+    if (rgba.at(static_cast<int>(uv.x * rgba.width), static_cast<int>(uv.y * rgba.height), 0) > 128)
       continue;
     const Point3 a = model.positions[t[0]];
-    area += 0.5 * norm(cross(model.positions[t[1]] - a, model.positions[t[2]] - a));
+    const Point3 twice = cross(model.positions[t[1]] - a, model.positions[t[2]] - a);
+    if (!behind || twice.z < 0) area += 0.5 * norm(twice);
   }
   return area;
 }
 
-TEST(Figure, KeepsInkALineAroundItsSilhouette) {
-  const auto solid = make_solid(whole_ball(), inked_disc(), figure_of(80));
-  ASSERT_TRUE(solid.ok());
-  EXPECT_EQ(what_is_wrong(figure_census(*solid)), "");
+SolidOptions inked_figure(Ink ink) {
+  SolidOptions options = figure_of(80, BackSide::plain);
+  options.ink = ink;
+  return options;
+}
+
+TEST(Figure, LeavesContoursInThePaintOrOutOfIt) {
+  const auto painted = make_solid(whole_ball(), inked_disc(), inked_figure(Ink::paint));
+  const auto plain = make_solid(whole_ball(), inked_disc(), inked_figure(Ink::none));
+  ASSERT_TRUE(painted.ok() && plain.ok());
+  // Seen from the side, 4 mm of ink in front reach sqrt(40^2 - 36^2) deep.
   const double around = 2 * std::numbers::pi * 40;
-  // Projected along the view, 4 mm of ink reach sqrt(40^2 - 36^2) deep to both sides.
-  EXPECT_LT(inked_area(*solid), 0.6 * around * 2 * std::sqrt(40.0 * 40 - 36.0 * 36));
-  EXPECT_GT(inked_area(*solid), around * 2 * 4 * 0.9);
+  EXPECT_GT(dark_area(*painted, false), 0.8 * around * std::sqrt(40.0 * 40 - 36.0 * 36));
+  EXPECT_EQ(dark_area(*plain, false), 0);
+  EXPECT_TRUE(plain->model.ink.triangles.empty());
+  EXPECT_EQ(plain->model.positions.size(), painted->model.positions.size());
+  for (size_t v = 0; v < plain->model.positions.size(); ++v)
+    EXPECT_EQ(norm(plain->model.positions[v] - painted->model.positions[v]), 0);
+}
+
+TEST(Figure, IsSurroundedByAClosedShellOfInk) {
+  const auto solid = make_solid(whole_ball(), inked_disc(), inked_figure(Ink::shell));
+  ASSERT_TRUE(solid.ok());
+  EXPECT_EQ(dark_area(*solid, false), 0);
+  const Model& model = solid->model;
+  // The body ends at the inner edge of the contour, the shell at its outer edge.
+  double body = 0;
+  for (const Point3 p : model.positions) body = std::max(body, std::hypot(p.x - 40, p.y - 40));
+  EXPECT_NEAR(body, 36, 0.5);
+  std::map<std::pair<int, int>, int> edges;
+  double shell = 0;
+  double volume = 0;
+  for (const std::array<int, 3>& t : model.ink.triangles) {
+    std::array<Point3, 3> p;
+    for (int k = 0; k < 3; ++k) {
+      p[k] = model.ink.positions[t[k]];
+      shell = std::max(shell, std::hypot(p[k].x - 40, p[k].y - 40));
+      const int next = t[(k + 1) % 3];
+      edges[{std::min(t[k], next), std::max(t[k], next)}] += t[k] < next ? 1 : -1;
+    }
+    volume += dot(p[0], cross(p[1], p[2])) / 6;
+  }
+  EXPECT_NEAR(shell, 40, 0.5);
+  for (const auto& [edge, sum] : edges) EXPECT_EQ(sum, 0);
+  // It is turned inside out. The ball was drawn in along the page, not in depth. Chords of half a
+  // width of ink are allowed.
+  const double pushed = 4.0 / 3 * std::numbers::pi * 40 * 40 * 44;
+  EXPECT_NEAR(volume, -pushed, 0.1 * pushed);
+}
+
+TEST(Figure, HasNoFaceBehind) {
+  SolidOptions options = inked_figure(Ink::none);
+  const double spot = std::numbers::pi * 6 * 6;
+  const auto plain = make_solid(whole_ball(), inked_disc(true), options);
+  options.back = BackSide::mirror;
+  const auto mirrored = make_solid(whole_ball(), inked_disc(true), options);
+  ASSERT_TRUE(plain.ok() && mirrored.ok());
+  EXPECT_EQ(dark_area(*plain, true), 0);
+  EXPECT_GT(dark_area(*plain, false), spot);
+  EXPECT_GT(dark_area(*mirrored, true), spot);
+}
+
+TEST(Figure, HasOneColourOnBothSidesOfTheSilhouette) {
+  Drawing drawing{Image8(200, 200, 4, 255)};
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x) {
+      drawing.rgba.at(x, y, 0) = static_cast<uint8_t>(55 + x);
+      drawing.rgba.at(x, y, 1) = static_cast<uint8_t>(55 + y);
+    }
+  const auto solid = make_solid(whole_ball(), drawing, figure_of(80, BackSide::plain));
+  ASSERT_TRUE(solid.ok());
+  const Image8& rgba = solid->drawing.rgba;
+  std::map<std::array<double, 3>, std::vector<int>> at;
+  const Model& model = solid->model;
+  for (size_t v = 0; v < model.positions.size(); ++v) {
+    const Point3 p = model.positions[v];
+    if (std::hypot(p.x - 40, p.y - 40) > 39.9) at[{p.x, p.y, p.z}].push_back(static_cast<int>(v));
+  }
+  int compared = 0;
+  for (const auto& [place, vertices] : at)
+    for (const int v : vertices)
+      for (int c = 0; c < 3; ++c) {
+        const auto colour = [&](int w) {
+          const Point2 uv = model.uvs[w];
+          return rgba.at(std::min(199, static_cast<int>(uv.x * 200)),
+                         std::min(rgba.height - 1, static_cast<int>(uv.y * rgba.height)), c);
+        };
+        EXPECT_NEAR(colour(v), colour(vertices[0]), 3);
+        compared += v != vertices[0] ? 1 : 0;
+      }
+  EXPECT_GT(compared, 100);
 }
 
 TEST(Figure, StandsOnAPlateOrADiscUnderItsFeet) {

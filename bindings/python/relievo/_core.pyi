@@ -15,6 +15,7 @@ class Method(_Enum): ...
 class Visibility(_Enum): ...
 class Field(_Enum): ...
 class BaseShape(_Enum): ...
+class Ink(_Enum): ...
 class BackSide(_Enum): ...
 class Slicer(_Enum): ...
 class Shading(_Enum): ...
@@ -49,6 +50,8 @@ class SolidOptions:
     hole: float
     ring: float
     cutter: float
+    ink: Ink
+    ink_width: float
 
 class RenderOptions:
     width: int
@@ -62,6 +65,7 @@ class RenderOptions:
     light_radius: float
     samples: int
     ambient_rays: int
+    ink: Ink
 
 class Report:
     """The results of a build."""
@@ -138,6 +142,8 @@ class Model:
         texture_size: int,
         filaments: int,
         slicer: Slicer,
+        ink: Optional[Ink],
+        ink_width: float,
     ) -> None: ...
     def render(self, options: RenderOptions) -> npt.NDArray[np.uint8]: ...
 

@@ -25,7 +25,7 @@ class BuildOptions(TypedDict, total=False):
 
 class SolidOptions(TypedDict, total=False):
     size: float  #: mm, longest side
-    back: Literal["flat", "drawing", "parts"]
+    back: Literal["flat", "plain", "mirror", "parts"]
     base: Literal["none", "outline", "plate", "round"]
     mirror: List[str]  #: ids of limbs to copy to the far side of a figure
     height: float  #: mm, maximum; 0: any
@@ -36,6 +36,8 @@ class SolidOptions(TypedDict, total=False):
     hole: float  #: mm, diameter of a hole to hang it by; 0: none
     ring: float  #: mm, diameter of the hole in a loop at the top; 0: none
     cutter: float  #: mm, height above the plate of a thin wall around it; 0: none
+    ink: Literal["shell", "paint", "none"]  #: contours: lines of their own, for .glb and .usdz, or as colours
+    ink_width: float  #: factor for the width of lines
 
 
 class RenderOptions(TypedDict, total=False):
@@ -50,6 +52,7 @@ class RenderOptions(TypedDict, total=False):
     light_radius: float  #: apparent radius of the light, degrees
     samples: int  #: rays per pixel
     ambient_rays: int  #: for ambient occlusion, per sample
+    ink: Literal["shell", "paint", "none"]  #: contours of a surface
 
 
 def member(kind: Any, name: str, value: object) -> Any:
@@ -87,6 +90,11 @@ def visibility(name: str) -> _core.Visibility:
 
 def field(name: str) -> _core.Field:
     found: _core.Field = member(_core.Field, "shown", name)
+    return found
+
+
+def contours(name: Optional[str]) -> Optional[_core.Ink]:
+    found: Optional[_core.Ink] = None if name is None else member(_core.Ink, "ink", name)
     return found
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .options import BuildOptions, RenderOptions, SolidOptions, apply, field, paint, visibility
+from .options import BuildOptions, RenderOptions, SolidOptions, apply, contours, field, paint, visibility
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ Picture = npt.NDArray[np.uint8]
 PathLike = Union[str, "os.PathLike[str]"]
 Slicer = Literal["prusa", "bambu"]
 Visible = Literal["relief", "orbit", "all"]
+Ink = Literal["shell", "paint", "none"]
 
 #: Yaw and pitch of the camera, degrees.
 VIEWS = {"front": (0.0, 0.0), "three-quarter": (38.0, 14.0), "side": (90.0, 0.0)}
@@ -72,15 +73,19 @@ class Model:
         texture_size: int = 0,
         filaments: int = 4,
         slicer: Slicer = "prusa",
+        ink: Optional[Ink] = None,
+        ink_width: float = 1,
     ) -> None:
         """Writes a .glb, .obj, .ply, .stl, .usdz or .html file, or a .3mf file of a solid.
 
         The longest side is `size` mm (default: that of a solid, else 100). `grounded` puts the lowest
         point of a .glb, .obj or .ply at height 0. The texture is at most `texture_size` px on its
         longer side (0: as large as the drawing). A .3mf is painted with at most `filaments` colours for
-        the given slicer. A figure on a base stands upright in files to print. Output is all-or-nothing,
+        the given slicer. The contours of a surface become lines of their own (shell, the default for
+        .glb, .usdz and .html), `ink_width` times as wide as drawn, stay in the colours (paint, for .obj
+        and .ply) or are left out (none); those of a solid are as it was made. A figure on a base stands upright in files to print. Output is all-or-nothing,
         and the drawing is never overwritten."""
-        self._core.save(path, size, grounded, texture_size, filaments, paint(slicer))
+        self._core.save(path, size, grounded, texture_size, filaments, paint(slicer), contours(ink), ink_width)
 
     def render(self, view: View = "three-quarter", **options: Unpack[RenderOptions]) -> Picture:
         """Renders a picture, height x width x 4. `yaw` and `pitch` override those of the view."""
@@ -135,7 +140,7 @@ class Relief:
         return Model(self._session.model(model_options, field(shown)))
 
     def solid(self, **options: Unpack[SolidOptions]) -> Model:
-        """Makes a closed solid in mm, to print or mill; a figure if `back` is drawing or parts."""
+        """Makes a closed solid in mm, to print or mill; a figure if `back` is not flat."""
         return Model(self._session.solid(apply(_core.SolidOptions(), options)))
 
     def maps(self, longest: Optional[int] = None) -> _core.Maps:
@@ -143,12 +148,15 @@ class Relief:
         (default: 2048, or of pixel art the largest multiple of its own size up to that)."""
         return self._session.maps(longest or self._source.map_side(2048))
 
-    def save(self, path: PathLike, *, size: float = 100) -> None:
-        """Writes the same model as `relievo build`: a solid for .stl and .3mf, else whole parts."""
+    def save(
+        self, path: PathLike, *, size: float = 100, ink: Optional[Ink] = None, ink_width: float = 1
+    ) -> None:
+        """Writes the same model as `relievo build`: a solid for .stl and .3mf, else whole parts. `ink` and
+        `ink_width` are as of Model.save."""
         if pathlib.PurePath(path).suffix in (".stl", ".3mf"):
-            self.solid(size=size).save(path)
+            self.solid(size=size, ink=ink or "none").save(path)
         else:
-            self.model().save(path, size=size)
+            self.model().save(path, size=size, ink=ink, ink_width=ink_width)
 
     def render(self, view: View = "three-quarter", **options: Unpack[RenderOptions]) -> Picture:
         """Renders the model; see Model.render."""

@@ -105,8 +105,8 @@ void add_lines(const ContourInk& ink, const Image8& inked, const Model& surface,
 
 void add_ink(const ContourInk& ink, const Image8& inked, double width, Model& model,
              Image8& picture) {
-  const auto ribbons = make_ribbons(ink, model, {inked.width, inked.height}, Behind::nothing);
-  add_lines(ink, inked, model, ribbons, {{1, 1, 1}, {}, {}}, width, model, model, picture);
+  const auto ribbons = make_ribbons(ink, model, {inked.width, inked.height}, true);
+  add_lines(ink, inked, model, ribbons, {{1, 1, 1}, {}}, width, model, model, picture);
 }
 
 void add_ink(const ContourInk& ink, const Image8& inked, double width, Model surface,
@@ -115,9 +115,7 @@ void add_ink(const ContourInk& ink, const Image8& inked, double width, Model sur
   const Point2 uv_per_px{1 / surface.width, inked.height / (surface.height * picture.height)};
   draw_in_solid(map, place, uv_per_px, solid);
   draw_in(map, surface);
-  const double plate = place.ground ? (*place.ground - place.shift.z) / place.scale.z : 0;
-  const auto ribbons = make_ribbons(ink, surface, {inked.width, inked.height},
-                                    place.ground ? Behind::plate : Behind::solid, plate);
+  const auto ribbons = make_ribbons(ink, surface, {inked.width, inked.height}, !place.backed);
   add_lines(ink, inked, surface, ribbons, place, width, weld(solid), solid, picture);
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "relief/finish/find_ink.h"
 #include "relievo/image.h"
 #include "relievo/model.h"
@@ -25,13 +23,11 @@ struct SolidPlace {
   Point3 scale;
   Point3 shift;
   double pictured = 1;
-  /// The height of the plate in the solid. Without it nothing lies behind the silhouette, and the
-  /// shell alone draws that.
-  std::optional<double> ground{};
+  bool backed = false;  ///< whether its back is round, so that the shell alone draws the silhouette
 };
 
-/// The same for a solid, which is drawn in first. Ribbons lie over what is behind: other parts of
-/// `surface`, or the plate. The shell goes around the solid, whose last parts may have no ink.
+/// The same for a solid, which is drawn in first. Ribbons lie around `surface`. The shell goes
+/// around the solid, whose last parts may have no ink.
 void add_ink(const ContourInk& ink, const Image8& inked, double width, Model surface,
              const SolidPlace& place, Model& solid, Image8& picture);
 

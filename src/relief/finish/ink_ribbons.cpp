@@ -74,28 +74,20 @@ class RibbonCutter {
   std::vector<InkRibbon> ribbons_;
 };
 
-/// Places a rung over what the floor has behind it. Returns nothing if it is left out.
-std::optional<Rung> rung_at(const OutlinePoint& p, const Model& surface, const Floor& floor,
-                            Behind behind, double plate) {
-  constexpr double nothing = std::numeric_limits<float>::lowest();
+/// Places a rung over what the floor has behind it, of a height `below`.
+Rung rung_at(const OutlinePoint& p, const Model& surface, double below) {
+  const Point3 inner = surface.positions[p.vertex];
   const Point2 outer = p.place + p.outside * p.out;
-  const double below = floor.height_at({outer.x / surface.width, 1 - outer.y / surface.height});
-  Rung rung{surface.positions[p.vertex], {outer.x, outer.y, 0}};
   const double lift = ribbon_lift * std::max(surface.width, surface.height);
-  if (below == nothing && behind == Behind::solid) return std::nullopt;
-  if (below == nothing && behind == Behind::plate) {
-    rung[0].z = rung[1].z = plate + lift;
-    return rung;
-  }
-  const double z = rung[0].z;
-  rung[1].z = std::clamp(below + lift, z, z + steepest * (p.inside + p.outside));
-  return rung;
+  const double most = inner.z + steepest * (p.inside + p.outside);
+  return {inner, {outer.x, outer.y, std::clamp(below + lift, inner.z, most)}};
 }
 
 }  // namespace
 
 std::vector<InkRibbon> make_ribbons(const ContourInk& ink, const Model& surface, ImageSize drawing,
-                                    Behind behind, double plate) {
+                                    bool over_nothing) {
+  constexpr double nothing = std::numeric_limits<float>::lowest();
   RibbonCutter cutter(surface, drawing);
   Floor floor(surface);
   size_t next = 0;
@@ -104,8 +96,13 @@ std::vector<InkRibbon> make_ribbons(const ContourInk& ink, const Model& surface,
       std::vector<OutlinePoint> points = ink.lines[next].points;
       if (ink.lines[next].closed) points.push_back(points.front());
       for (const OutlinePoint& p : points) {
-        const auto rung = rung_at(p, surface, floor, behind, plate);
-        rung ? cutter.add(*rung) : cutter.finish();
+        const Point2 outer = p.place + p.outside * p.out;
+        const double below =
+            floor.height_at({outer.x / surface.width, 1 - outer.y / surface.height});
+        if (over_nothing || below != nothing)
+          cutter.add(rung_at(p, surface, below));
+        else
+          cutter.finish();
       }
       cutter.finish();
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "kernel/image/image_size.h"
@@ -12,13 +11,6 @@
 
 namespace relievo::relief {
 
-/// What lies behind the silhouette of a surface.
-enum class Behind {
-  nothing,  ///< ribbons hang in the air, at the height of the outline
-  solid,    ///< its own back: the silhouette gets no ribbons
-  plate,    ///< a plate that ribbons lie on
-};
-
 /// A strip that fills a stretch of a contour and faces the viewer.
 struct InkRibbon {
   std::vector<std::array<Point3, 2>> rungs;  ///< canvas px: from the outline outwards
@@ -26,9 +18,10 @@ struct InkRibbon {
 };
 
 /// Makes the ribbons of contours around a surface that was drawn in: at the height of its outline,
-/// or just above the parts that lie behind it. `plate`: its height. They are cut into stretches
-/// whose boxes hold few other pixels. `drawing`: its size. O(pixels of a small raster + points).
+/// or just above the parts that lie behind it. `over_nothing`: whether outlines with nothing behind
+/// get ribbons too. They are cut into stretches whose boxes hold few other pixels. `drawing`: its
+/// size. O(pixels of a small raster + points).
 std::vector<InkRibbon> make_ribbons(const ContourInk& ink, const Model& surface, ImageSize drawing,
-                                    Behind behind, double plate = 0);
+                                    bool over_nothing);
 
 }  // namespace relievo::relief
