@@ -49,7 +49,7 @@ def move_sliders(wolf):
     wolf.relievo.own_shape = False
     wolf.relievo.c = 1
     shallow = positions(wolf)
-    assert wolf.data == mesh and wolf.location.x == 1 and len(mesh.materials) == 1
+    assert wolf.data == mesh and wolf.location.x == 1 and len(mesh.materials) == 2
     wolf.relievo.c = 9
     deep = positions(wolf)
     assert np.ptp(deep[:, 1]) > 1.5 * np.ptp(shallow[:, 1])

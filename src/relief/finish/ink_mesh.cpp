@@ -95,7 +95,7 @@ void add_lines(const ContourInk& ink, const Image8& inked, const Model& surface,
   const InkTiles tiles(ribbons, ink.parts, inked, picture);
   InkMesh mesh;
   add_ribbons(ribbons, tiles, inked.width / surface.width, surface.height, place, width, mesh);
-  add_shells(ink.parts, body, width * place.scale.x, tiles.colours(), mesh);
+  add_shells(ink, body, place, width, tiles.colours(), mesh);
   for (Point2& uv : mesh.uvs) uv = {uv.x / picture.width, uv.y / picture.height};
   model.ink = std::move(mesh);
   for (Point2& uv : model.uvs) uv.y *= drawn / picture.height;
@@ -106,7 +106,7 @@ void add_lines(const ContourInk& ink, const Image8& inked, const Model& surface,
 void add_ink(const ContourInk& ink, const Image8& inked, double width, Model& model,
              Image8& picture) {
   const auto ribbons = make_ribbons(ink, model, {inked.width, inked.height}, true);
-  add_lines(ink, inked, model, ribbons, {{1, 1, 1}, {}}, width, model, model, picture);
+  add_lines(ink, inked, model, ribbons, {}, width, model, model, picture);
 }
 
 void add_ink(const ContourInk& ink, const Image8& inked, double width, Model surface,

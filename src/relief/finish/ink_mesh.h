@@ -1,9 +1,9 @@
 #pragma once
 
 #include "relief/finish/find_ink.h"
+#include "relief/finish/ink_shell.h"
 #include "relievo/image.h"
 #include "relievo/model.h"
-#include "relievo/point.h"
 
 namespace relievo::relief {
 
@@ -16,15 +16,6 @@ namespace relievo::relief {
 /// O(n log n) for n triangles.
 void add_ink(const ContourInk& ink, const Image8& inked, double width, Model& model,
              Image8& picture);
-
-/// The place of a surface in a solid: scale * position + shift. The solid's texture coordinates lie
-/// on the picture up to v = `pictured`, and on plain colours below.
-struct SolidPlace {
-  Point3 scale;
-  Point3 shift;
-  double pictured = 1;
-  bool backed = false;  ///< whether its back is round, so that the shell alone draws the silhouette
-};
 
 /// The same for a solid, which is drawn in first. Ribbons lie around `surface`. The shell goes
 /// around the solid, whose last parts may have no ink.
