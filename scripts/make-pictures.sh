@@ -42,6 +42,19 @@ convert examples/bear.png -resize 480x480 "$to/bear-drawing.png"
 convert "$work/bear.png" -resize 480x480 "$to/bear-understood.png"
 "$relievo" render "$work/bear.relievo" -o "$to/bear.png" --yaw -20 --pitch 8 --size 480 > /dev/null
 
+# Contours in the paint, and as lines that turn with the model.
+for name in bear.png griffin.svg wolf.svg lamb.svg farmer.svg elephant.svg; do
+  for yaw in 45 75; do
+    for ink in paint shell; do
+      "$relievo" render "examples/$name" --ink "$ink" --yaw "$yaw" --pitch 4 --size 480 \
+        -o "$work/contour-$name-$yaw-$ink.png" > /dev/null
+    done
+  done
+  montage "$work/contour-$name"-*.png -tile 4x -geometry 240x200 -background '#dcdcdc' \
+    "$work/contours-$name.png"
+done
+convert "$work"/contours-*.png -append +repage -quality 85 "$to/contours.jpg"
+
 # A join's ends: the paper's pits, and what the Robin range makes of them.
 "$relievo" render examples/wolf.svg -o "$to/ends-pits.png" --alpha0 1 --view front --clay \
   --window 440 470 260 --size 420 > /dev/null

@@ -9,38 +9,50 @@
 #include "relief/finish/ink_ribbons.h"
 #include "relief/finish/ink_shell.h"
 #include "relief/finish/place_tiles.h"
+#include "relief/finish/spread_colours.h"
 
 namespace relievo::relief {
 namespace {
 
-constexpr int swatch = 8;  ///< px, side of a plain colour
+constexpr int swatches_in_row = 32;  ///< plain colours of which a row is as long as the picture
+constexpr int least_swatch = 8;      ///< px, side of a plain colour
 
 /// Places the colours of the lines below a picture. Texture coordinates are px of it.
 class InkTiles {
  public:
   InkTiles(const std::vector<InkRibbon>& ribbons, const std::vector<PartInk>& parts,
            const Image8& inked, Image8& picture) {
+    // Reduced textures must not mix them with others.
+    const int side = std::max(least_swatch, inked.width / swatches_in_row);
     std::vector<ImageSize> sizes;
     for (const InkRibbon& ribbon : ribbons)
       sizes.push_back({ribbon.box.width(), ribbon.box.height()});
-    sizes.resize(ribbons.size() + parts.size(), {swatch, swatch});
+    sizes.resize(ribbons.size() + parts.size(), {side, side});
+    const int drawn = picture.height;
     const auto places = place_tiles(sizes, picture.width, picture.height);
-    picture.pixels.resize(4 * static_cast<size_t>(picture.width) * picture.height, 255);
-    for (size_t i = 0; i < ribbons.size(); ++i) {
-      const PixelBox& box = ribbons[i].box;
+    Image8 tiles(picture.width, picture.height - drawn, 3, 255);
+    Image8 known(tiles.width, tiles.height, 1);
+    for (size_t i = 0; i < sizes.size(); ++i) {
       const auto [x, y] = places[i];
-      corners_.push_back({static_cast<double>(x - box.left), static_cast<double>(y - box.top)});
-      for (int v = box.top; v < box.bottom; ++v)
-        for (int u = box.left; u < box.right; ++u)
-          std::copy_n(&inked.at(u, v), 3, &picture.at(x + u - box.left, y + v - box.top));
+      const bool is_ribbon = i < ribbons.size();
+      for (int v = 0; v < sizes[i].height; ++v)
+        for (int u = 0; u < sizes[i].width; ++u) {
+          const uint8_t* colour = is_ribbon
+                                      ? &inked.at(ribbons[i].box.left + u, ribbons[i].box.top + v)
+                                      : parts[i - ribbons.size()].rgb.data();
+          std::copy_n(colour, 3, &tiles.at(x + u, y - drawn + v));
+          known.at(x + u, y - drawn + v) = 1;
+        }
+      if (is_ribbon)
+        corners_.push_back({1.0 * x - ribbons[i].box.left, 1.0 * y - ribbons[i].box.top});
+      else
+        colours_.push_back({x + 0.5 * side, y + 0.5 * side});
     }
-    for (size_t p = 0; p < parts.size(); ++p) {
-      const auto [x, y] = places[ribbons.size() + p];
-      colours_.push_back({x + 0.5 * swatch, y + 0.5 * swatch});
-      for (int v = y; v < y + swatch; ++v)
-        for (int u = x; u < x + swatch; ++u)
-          std::copy(parts[p].rgb.begin(), parts[p].rgb.end(), &picture.at(u, v));
-    }
+    spread_colours(known, tiles);
+    picture.pixels.resize(4 * static_cast<size_t>(picture.width) * picture.height, 255);
+    uint8_t* below = &picture.at(0, drawn);
+    for (size_t i = 0; i < known.pixels.size(); ++i)
+      std::copy_n(&tiles.pixels[3 * i], 3, below + 4 * i);
   }
 
   /// Returns what a ribbon's coordinates on the drawing are moved by.
