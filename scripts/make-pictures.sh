@@ -125,6 +125,10 @@ for sheet in figures figure-mirrored; do
   convert "$work/$sheet"-*-row.png -append +repage -quality 85 "$to/$sheet.jpg"
 done
 
+# Figures for the README.
+scripts/figure-sheet.sh "$relievo" "$to/turned.jpg" examples/bear.png examples/griffin.svg \
+  examples/farmer.svg examples/bunny.svg
+
 # What a printer lays, where a slicer is installed.
 if command -v prusa-slicer > /dev/null; then
   "$relievo" build examples/wolf.svg --profile figure -o "$work/wolf.stl" > /dev/null
