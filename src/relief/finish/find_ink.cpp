@@ -14,6 +14,7 @@ namespace {
 
 // Tuned on the samples.
 constexpr double broadest_ink = 2;     ///< usual widths; broader darkness is paint, as on hooves
+constexpr double most_uneven = 0.8;    ///< range of widths, of their median; else it is shade
 constexpr double blend_width = 0.5;    ///< px beside ink that blend with it
 constexpr double gap_share = 4;        ///< usual widths; shorter gaps between ink are ink
 constexpr double widths_nearby = 4;    ///< usual widths along an outline over which ink is alike
@@ -150,7 +151,7 @@ double usual_width(const std::vector<PartRuns>& parts) {
 }
 
 /// Drops broad darkness; returns the usual ink of the part, with a width of 0 unless at least half
-/// of its outline is inked.
+/// of its outline is inked, by a line of about the same width.
 PartInk part_ink(PartRuns& part, double broadest) {
   std::vector<double> widths;
   std::array<std::vector<double>, 3> colours;
@@ -165,7 +166,10 @@ PartInk part_ink(PartRuns& part, double broadest) {
     }
   PartInk ink;
   if (widths.empty() || 2 * widths.size() < count) return ink;
-  ink.width = median(std::move(widths));
+  std::sort(widths.begin(), widths.end());
+  const double usual = widths[widths.size() / 2];
+  if (widths[3 * widths.size() / 4] - widths[widths.size() / 4] > most_uneven * usual) return ink;
+  ink.width = usual;
   for (size_t k = 0; k < 3; ++k) ink.rgb[k] = static_cast<uint8_t>(median(std::move(colours[k])));
   return ink;
 }
