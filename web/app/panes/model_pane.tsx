@@ -117,7 +117,7 @@ const shadings: readonly [ModelShading, () => string][] = [
 export function ModelPane({ editor, tool, attach, lightHeld, stop }: ModelPaneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<ModelView>(null);
-  const { shading, build, relief, history, plainGraphics, lighting } = useStore(editor);
+  const { shading, build, relief, dressed, history, plainGraphics, lighting } = useStore(editor);
   const [attempt, setAttempt] = useState(0);
   const slow = build.phase === 'full' && history.document.settings.method === 'nonlinear';
   useEffect(() => {
@@ -140,7 +140,7 @@ export function ModelPane({ editor, tool, attach, lightHeld, stop }: ModelPanePr
     };
   }, [attempt]);
   return (
-    <section class="pane model" aria-label={t('relief')} aria-busy={build.phase !== 'idle'}>
+    <section class="pane model" aria-label={t('relief')} aria-busy={build.phase !== 'idle'} data-contours={dressed?.relief === relief ? dressed?.contourWidth : undefined}>
       <canvas key={attempt} ref={canvas} class={build.error ? 'stale' : ''} aria-label={t('relief')} role="application" tabIndex={0} />
       <div class="floating bottom" role="group" aria-label={t('relief')}>
         {shadings.map(([name, label]) => (

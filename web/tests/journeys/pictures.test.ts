@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { pngOf } from '../support/pictures.ts';
 import { names } from './actions.ts';
-import { coloursOfRelief, picture, settled, stageOfFile } from './browser.ts';
+import { coloursOfRelief, picture, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const stage = stageOfFile({ anew: false });
 
@@ -70,34 +70,28 @@ it('guesses the parts of a flat picture, which can then be edited like any other
 
 it('draws contours as lines of any width, or leaves them out', async () => {
   const { page } = stage;
+  // The words on the buttons are dark too.
   const dark = async (): Promise<number> => (await coloursOfRelief(page)).filter((colour) => Math.max(...colour) < 80).length;
-  await page.locator('.model canvas').focus();
-  for (let i = 0; i < 8; i++) await page.keyboard.press('ArrowRight');
-  /** Returns that number once the view has come to rest. */
-  const rested = async (): Promise<number> => {
-    let before = -1;
-    for (let now = await dark(); now !== before; now = await dark()) {
-      before = now;
-      await page.waitForTimeout(3000);
-    }
-    return before;
-  };
+  const dressed = (width: number): Promise<unknown> => page.waitForSelector(`.model[data-contours="${width}"]`, { timeout: 60_000 });
   const changeSettings = async (change: () => Promise<void>): Promise<void> => {
     const settings = page.getByRole('button', { name: 'Settings' });
     await settings.click();
     await change();
     await settings.click();
   };
-  // The words on the buttons are dark too.
-  const drawn = await rested();
+  await page.locator('.model canvas').focus();
+  for (let i = 0; i < 8; i++) await page.keyboard.press('ArrowRight');
+  await dressed(1);
   await changeSettings(() => page.getByLabel('Width of contours').fill('2.5'));
-  const broad = await rested();
-  expect(broad).not.toBe(drawn);
-  await picture(page, 'broad-contours');
+  await dressed(2.5);
+  await stillPicture(page, 'broad-contours');
+  const broad = await dark();
   await changeSettings(() => page.locator('#contours').uncheck());
-  expect(await rested()).toBeLessThan(0.8 * broad);
+  await dressed(0);
+  await expect.poll(dark).toBeLessThan(0.8 * broad);
   await picture(page, 'no-contours');
   await page.keyboard.press('Control+z');
-  expect(await rested()).toBe(broad);
+  await dressed(2.5);
+  await expect.poll(dark).toBe(broad);
   expect(stage.troubles).toEqual([]);
 });
