@@ -24,7 +24,7 @@ function readGlb(bytes) {
   };
   return json.meshes.flatMap(({ primitives }) =>
     primitives.map(({ attributes, indices }) =>
-      mesh(accessor(attributes.POSITION), accessor(indices), accessor(attributes.NORMAL))));
+      mesh(accessor(attributes.POSITION), accessor(indices), "NORMAL" in attributes ? accessor(attributes.NORMAL) : undefined)));
 }
 
 /** Vertices are shared by all objects, which may touch each other: each is a mesh of its own. */
