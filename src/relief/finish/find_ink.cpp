@@ -13,10 +13,12 @@ namespace relievo::relief {
 namespace {
 
 // Tuned on the samples.
-constexpr double broadest_ink = 2;     ///< usual widths; broader darkness is paint, as on hooves
-constexpr double most_uneven = 0.8;    ///< range of widths, of their median; else it is shade
-constexpr double blend_width = 0.5;    ///< px beside ink that blend with it
-constexpr double gap_share = 4;        ///< usual widths; shorter gaps between ink are ink
+constexpr double broadest_ink = 2;   ///< usual widths; broader darkness is paint, as on hooves
+constexpr double most_uneven = 0.8;  ///< range of even widths, of their median
+constexpr double least_share = 0.5;  ///< of an inked part's outline that has ink,
+constexpr double least_share_uneven = 0.75;  ///< or, for fear of shade, if that is uneven
+constexpr double blend_width = 0.5;          ///< px beside ink that blend with it
+constexpr double gap_share = 4;              ///< usual widths; shorter gaps between ink are ink
 constexpr double widths_nearby = 4;    ///< usual widths along an outline over which ink is alike
 constexpr double most_of_usual = 1.3;  ///< width of ink, of the usual nearby
 constexpr double most_of_room = 0.5;   ///< of half a part's breadth that ink takes
@@ -151,7 +153,7 @@ double usual_width(const std::vector<PartRuns>& parts) {
 }
 
 /// Drops broad darkness; returns the usual ink of the part, with a width of 0 unless at least half
-/// of its outline is inked, by a line of about the same width.
+/// of its outline is inked, or more where widths vary, as those of shade do.
 PartInk part_ink(PartRuns& part, double broadest) {
   std::vector<double> widths;
   std::array<std::vector<double>, 3> colours;
@@ -165,10 +167,12 @@ PartInk part_ink(PartRuns& part, double broadest) {
       for (size_t k = 0; k < 3; ++k) colours[k].push_back(m.ink->rgb[k]);
     }
   PartInk ink;
-  if (widths.empty() || 2 * widths.size() < count) return ink;
+  if (widths.empty()) return ink;
   std::sort(widths.begin(), widths.end());
   const double usual = widths[widths.size() / 2];
-  if (widths[3 * widths.size() / 4] - widths[widths.size() / 4] > most_uneven * usual) return ink;
+  const double range = widths[3 * widths.size() / 4] - widths[widths.size() / 4];
+  const double least = range > most_uneven * usual ? least_share_uneven : least_share;
+  if (static_cast<double>(widths.size()) < least * static_cast<double>(count)) return ink;
   ink.width = usual;
   for (size_t k = 0; k < 3; ++k) ink.rgb[k] = static_cast<uint8_t>(median(std::move(colours[k])));
   return ink;
