@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,9 +62,9 @@ struct Model {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
   std::vector<ModelPart> parts;               ///< back to front; their triangles are disjoint runs
   InkMesh ink;                                ///< empty if no contours are drawn
-  /// The faces kept, for a surface whose contours and hidden triangles export_model still has to
-  /// finish. Empty for models that are written as they are, such as solids.
-  std::optional<Visibility> unfinished{};
+  /// Whether export_model still has to finish the contours and hidden triangles of a surface. Other
+  /// models, such as solids, are written as they are.
+  bool unfinished = false;
 
   /// Returns the number of triangles with those of the ink.
   size_t all_triangles() const { return triangles.size() + ink.triangles.size(); }

@@ -203,22 +203,20 @@ void move_limbs(GridPoint low, double unit, std::vector<SolidLimb>& limbs) {
                      unit * static_cast<double>(limb.low.y - low.y), 0};
 }
 
-/// A solid, and the corner of its box on the grid, which is the solid's origin.
+/// A solid without its drawing, and the corner of its box on the grid, which is the solid's origin.
 struct PlacedSolid {
   Solid solid;
   GridPoint low;
-  double pictured = 1;  ///< the picture's share of v; plain colours lie below
 };
 
 /// Makes the solid of a sheet whose place is known.
 Result<PlacedSolid> make_placed(const relief::VisibleSheet& sheet,
-                                const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
+                                const std::vector<relief::LimbSheet>& limbs, const BackPaint& paint,
                                 const SolidOptions& options, const GridPlacement& placement) {
   const bool figure = options.back != BackSide::flat;
   const bool standing = stands(options);
   const std::vector<ModelPart> parts =
       figure && !standing ? sheet.model.parts : parts_with_base(sheet.model);
-  BackPaint paint = paint_back(drawing, sheet, options.back);
   const FieldMaker maker{options, placement, paint};
   HeightField field = maker.field_of(sheet);
   const int base = static_cast<int>(parts.size()) - 1;
@@ -245,9 +243,7 @@ Result<PlacedSolid> make_placed(const relief::VisibleSheet& sheet,
   settle_heights(edges, field);
   auto model = raise_walls(field, edges, parts, paint);
   if (!model) return model.error();
-  PlacedSolid made{{std::move(*model), std::move(paint.drawing), find_pieces(field, parts)},
-                   low_corner(field),
-                   paint.pictured};
+  PlacedSolid made{{std::move(*model), {}, find_pieces(field, parts)}, low_corner(field)};
   Solid& solid = made.solid;
   move_limbs(made.low, field.unit, mirrored);
   if (Status status = unite_with_limbs(mirrored, field.unit, paint.parts, solid); !status)
@@ -258,7 +254,7 @@ Result<PlacedSolid> make_placed(const relief::VisibleSheet& sheet,
 
 /// Adds the contours of the drawing to a solid.
 void add_contours(const relief::TakenInk& ink, const Model& surface, const SolidOptions& options,
-                  const GridPlacement& placement, PlacedSolid& made) {
+                  const GridPlacement& placement, double pictured, PlacedSolid& made) {
   if (ink.contours.lines.empty()) return;
   const Point3 scale{placement.scale, placement.scale, placement.height_scale};
   const Point3 o = placement.origin;
@@ -267,7 +263,7 @@ void add_contours(const relief::TakenInk& ink, const Model& surface, const Solid
       scale,
       {-scale.x * o.x - unit * static_cast<double>(made.low.x),
        -scale.y * o.y - unit * static_cast<double>(made.low.y), -scale.z * o.z},
-      made.pictured,
+      pictured,
       options.back != BackSide::flat};
   relief::add_ink(ink.contours, ink.inked, options.ink_width, surface, place, made.solid.model,
                   made.solid.drawing.rgba);
@@ -310,15 +306,17 @@ Result<Solid> make_solid(relief::VisibleSheet sheet, const std::vector<relief::L
     placement = place_on_grid(sheet, limbs, options);
     if (!placement) return placement.error();
   }
-  auto made = make_placed(sheet, limbs, drawing, options, *placement);
+  BackPaint paint = paint_back(drawing, sheet, options.back);
+  auto made = make_placed(sheet, limbs, paint, options, *placement);
   for (int fits = 1; made && stands(options) && fits < most_fits; ++fits) {
     const double growth = missing_growth(made->solid, options);
     if (std::abs(growth - 1) <= size_slack) break;
     grow(growth, *placement);
-    made = make_placed(sheet, limbs, drawing, options, *placement);
+    made = make_placed(sheet, limbs, paint, options, *placement);
   }
   if (!made) return made.error();
-  add_contours(ink, sheet.model, options, *placement, *made);
+  made->solid.drawing = std::move(paint.drawing);
+  add_contours(ink, sheet.model, options, *placement, paint.pictured, *made);
   return std::move(made->solid);
 }
 

@@ -58,6 +58,7 @@ class BehindPainter {
     rim_ = std::max(2.0, rim_share * side);
     wave_ = std::max(1, static_cast<int>(grain_share * side));
     cell_ = (side + longest_side - 1) / longest_side;
+    boxes_ = boxes_of_parts();
   }
 
   Image8 paint() {
@@ -140,9 +141,8 @@ class BehindPainter {
   /// Grows the paint of every part from the rim over all of it. `left_out`: 1 on pixels whose
   /// paint does not count if there is other paint.
   void grow_paint(const Image8& left_out) {
-    const std::vector<PixelBox> boxes = boxes_of_parts();
-    for (size_t p = 0; p < boxes.size(); ++p)
-      if (boxes[p].width() > 0) grow_paint(static_cast<uint16_t>(p + 1), boxes[p], left_out);
+    for (size_t p = 0; p < boxes_.size(); ++p)
+      if (boxes_[p].width() > 0) grow_paint(static_cast<uint16_t>(p + 1), boxes_[p], left_out);
   }
 
   void grow_paint(uint16_t part, const PixelBox& box, const Image8& left_out) {
@@ -252,9 +252,10 @@ class BehindPainter {
   Image16 rear_;
   Image8 smooth_;  ///< the paint grown from the rim
   Image<int32_t> from_rim_;
-  double rim_ = 0;  ///< px
-  int wave_ = 0;    ///< px
-  int cell_ = 1;    ///< px
+  double rim_ = 0;               ///< px
+  int wave_ = 0;                 ///< px
+  int cell_ = 1;                 ///< px
+  std::vector<PixelBox> boxes_;  ///< by rear part, cells; empty where it is none
 };
 
 }  // namespace

@@ -87,4 +87,12 @@ Image<int32_t> squared_distance_to(const Image8& mask) {
   return distance;
 }
 
+Image8 pixels_within(const Image8& mask, int distance) {
+  const Image<int32_t> away = squared_distance_to(mask);
+  Image8 near(mask.width, mask.height, 1);
+  for (size_t i = 0; i < near.pixels.size(); ++i)
+    near.pixels[i] = away.pixels[i] <= distance * distance ? 1 : 0;
+  return near;
+}
+
 }  // namespace relievo

@@ -16,4 +16,7 @@ constexpr int32_t no_distance = std::numeric_limits<int32_t>::max();
 /// in linear time (2000).
 Image<int32_t> squared_distance_to(const Image8& mask);
 
+/// Returns an image that is 1 on the pixels within `distance` px of those of a mask, else 0.
+Image8 pixels_within(const Image8& mask, int distance);
+
 }  // namespace relievo

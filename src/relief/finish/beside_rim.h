@@ -19,15 +19,6 @@ class BesideRim {
         reach_(reach),
         grid_(rim_.size(), [this](size_t i) { return std::pair(rim_[i], rim_[i]); }) {}
 
-  /// Calls visit(index, distance) for all points closer to a place than `radius`.
-  template <class Visit>
-  void for_each_within(Point2 place, double radius, Visit visit) const {
-    grid_.for_each_near(place, place, radius, [&](int i) {
-      const double d = distance(rim_[i], place);
-      if (d < radius) visit(static_cast<size_t>(i), d);
-    });
-  }
-
   /// Returns how far the rim is looked for, canvas px.
   double reach() const { return reach_; }
 
@@ -60,6 +51,15 @@ class BesideRim {
   }
 
  private:
+  /// Calls visit(index, distance) for all points closer to a place than `radius`.
+  template <class Visit>
+  void for_each_within(Point2 place, double radius, Visit visit) const {
+    grid_.for_each_near(place, place, radius, [&](int i) {
+      const double d = distance(rim_[i], place);
+      if (d < radius) visit(static_cast<size_t>(i), d);
+    });
+  }
+
   std::vector<Point2> rim_;
   double reach_;
   SegmentGrid grid_;

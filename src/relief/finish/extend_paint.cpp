@@ -89,11 +89,7 @@ std::optional<double> share_of_paint(const Colour& seen, const Colour& paint, co
 
 /// Returns the pixels farther than `distance` px from those of a mask.
 Image8 beyond(const Image8& mask, int distance) {
-  const Image<int32_t> away = squared_distance_to(mask);
-  Image8 far(mask.width, mask.height, 1);
-  for (size_t i = 0; i < far.pixels.size(); ++i)
-    far.pixels[i] = away.pixels[i] > distance * distance ? 1 : 0;
-  return far;
+  return complement(pixels_within(mask, distance));
 }
 
 /// Returns the colours of the paper around a model, spread below the model. `open`: not 0 on paper.

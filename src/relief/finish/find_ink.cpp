@@ -15,8 +15,8 @@ namespace {
 // Tuned on the samples.
 constexpr double broadest_ink = 2;   ///< usual widths; broader darkness is paint, as on hooves
 constexpr double most_uneven = 0.8;  ///< range of even widths, of their median
-constexpr double least_share = 0.5;  ///< of an inked part's outline that has ink,
-constexpr double least_share_uneven = 0.75;  ///< or, for fear of shade, if that is uneven
+constexpr double least_share = 0.5;  ///< of an inked part's outline that has ink
+constexpr double least_share_uneven = 0.75;  ///< of it if widths vary, as those of shade do
 constexpr double blend_width = 0.5;          ///< px beside ink that blend with it
 constexpr double gap_share = 4;              ///< usual widths; shorter gaps between ink are ink
 constexpr double widths_nearby = 4;    ///< usual widths along an outline over which ink is alike
@@ -153,7 +153,7 @@ double usual_width(const std::vector<PartRuns>& parts) {
 }
 
 /// Drops broad darkness; returns the usual ink of the part, with a width of 0 unless at least half
-/// of its outline is inked, or more where widths vary, as those of shade do.
+/// of its outline is inked, or three quarters where widths vary, as those of shade do.
 PartInk part_ink(PartRuns& part, double broadest) {
   std::vector<double> widths;
   std::array<std::vector<double>, 3> colours;

@@ -42,7 +42,7 @@ struct ContourInk {
 
 /// Measures the ink along the seen outlines of a surface that lies on a drawing: dark runs across
 /// the outline with lighter paint inside them. A part counts as inked if half of its seen outline
-/// is, or more where widths vary. There is no ink on pixel art. Linear in pixels and in
+/// is, or three quarters where widths vary. There is no ink on pixel art. Linear in pixels and in
 /// outlines times the width of ink.
 ContourInk find_ink(const Model& model, const Drawing& drawing);
 

@@ -14,7 +14,7 @@ namespace relievo::relief {
 
 DrawnModel finish_model(Model model, Drawing drawing, Ink mode, double ink_width) {
   if (!model.unfinished) return {std::move(model), std::move(drawing)};
-  model.unfinished.reset();
+  model.unfinished = false;
   const ContourInk ink = mode == Ink::paint ? ContourInk{} : find_ink(model, drawing);
   if (ink.lines.empty()) return dress_hidden(std::move(model), std::move(drawing));
   Image8& rgba = drawing.rgba;

@@ -21,8 +21,9 @@ class Floor {
       : size_(fitted_size(model.width, model.height, longest_floor)),
         height_(size_.width, size_.height, 1, std::numeric_limits<float>::lowest()) {}
 
-  /// Adds a part with its vertices at `positions`.
-  void add(const Model& model, const ModelPart& part, const std::vector<Point3>& positions) {
+  /// Adds a part.
+  void add(const Model& model, const ModelPart& part) {
+    const std::vector<Point3>& positions = model.positions;
     for (int t = part.first_triangle; t < part.end(); ++t) {
       std::array<Point2, 3> corners;
       for (size_t k = 0; k < 3; ++k) {

@@ -106,7 +106,7 @@ std::vector<InkRibbon> make_ribbons(const ContourInk& ink, const Model& surface,
       }
       cutter.finish();
     }
-    floor.add(surface, surface.parts[part], surface.positions);
+    floor.add(surface, surface.parts[part]);
   }
   return std::move(cutter).take();
 }

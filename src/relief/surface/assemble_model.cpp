@@ -112,7 +112,7 @@ Result<Model> assemble_model(const SolvedSurface& surface, const ModelOptions& o
         drop_unused_vertices(model);
       });
   if (!status) return status.error();
-  model.unfinished = options.visibility;
+  model.unfinished = true;
   return model;
 }
 
